@@ -1,0 +1,115 @@
+//! `{{#figure chapter/file}}` and rows of them: pictures inside the page itself.
+//!
+//! A picture is embedded as a data URI, so that a page can be read, moved or mailed on its own.
+
+use std::fs;
+
+use base64::prelude::{BASE64_STANDARD, Engine as _};
+
+use crate::data::{REMEDY, Run};
+use crate::markup::escape;
+
+/// Narrower renders are shown with their pixels sharp: there every pixel is worth seeing.
+const SMALL: u32 = 160;
+
+/// One figure, `chapter/file` and perhaps `width=50%`.
+pub fn expand(arguments: &[&str], run: &Run) -> Result<String, String> {
+    match arguments {
+        [path] => figure(path, None, run),
+        [path, width] => figure(path, Some(percentage(width)?), run),
+        [] | [_, _, ..] => Err("write `chapter/file` and perhaps `width=50%`".to_string()),
+    }
+}
+
+/// A row of figures, side by side.
+pub fn expand_row(arguments: &[&str], run: &Run) -> Result<String, String> {
+    if arguments.len() < 2 {
+        return Err("a row has at least two figures; for one write `{{#figure …}}`".to_string());
+    }
+    let figures: Result<String, String> = arguments
+        .iter()
+        .map(|path| figure(path, None, run))
+        .collect();
+    Ok(format!("<div class=\"figures\">{}</div>", figures?))
+}
+
+fn figure(path: &str, width: Option<u32>, run: &Run) -> Result<String, String> {
+    let (chapter, file) = path
+        .split_once('/')
+        .ok_or_else(|| format!("write `chapter/file` instead of `{path}`"))?;
+    let (figure, picture) = run.figure(chapter, file)?;
+    let bytes =
+        fs::read(picture).map_err(|error| format!("cannot read `{path}`: {error}; {REMEDY}"))?;
+    let (kind, small) = match file.rsplit_once('.') {
+        Some((_, "svg")) => ("svg+xml", false),
+        Some((_, "png")) => {
+            let width = png_width(&bytes).ok_or_else(|| format!("`{path}` is not a PNG"))?;
+            ("png", width < SMALL)
+        }
+        _ => return Err(format!("`{path}` is neither a .png nor a .svg")),
+    };
+    let class = if small { " class=\"pixels\"" } else { "" };
+    let style = width.map_or(String::new(), |width| format!(" style=\"width: {width}%\""));
+    let caption = escape(&figure.caption);
+    let data = BASE64_STANDARD.encode(bytes);
+    Ok(format!(
+        "<figure><img{class}{style} alt=\"{caption}\" src=\"data:image/{kind};base64,{data}\">\
+         <figcaption>{caption}</figcaption></figure>"
+    ))
+}
+
+/// The percentage in `width=50%`.
+fn percentage(argument: &str) -> Result<u32, String> {
+    argument
+        .strip_prefix("width=")
+        .and_then(|width| width.strip_suffix('%')?.parse().ok())
+        .filter(|width| (1..=100).contains(width))
+        .ok_or_else(|| format!("`{argument}` is no width from `width=1%` to `width=100%`"))
+}
+
+/// The width in pixels, which a PNG keeps in a fixed place of its first chunk.
+fn png_width(bytes: &[u8]) -> Option<u32> {
+    let chunk = bytes.strip_prefix(b"\x89PNG\r\n\x1a\n")?;
+    let width = chunk.get(4..)?.strip_prefix(b"IHDR")?.first_chunk()?;
+    Some(u32::from_be_bytes(*width))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::data::tests::fixtures;
+
+    #[test]
+    fn a_small_png_is_embedded_with_sharp_pixels() {
+        let html = expand(&["ch01/image.png", "width=50%"], &fixtures()).unwrap();
+        let caption = "A &quot;small&quot; view, 4 &lt; 160 pixels wide.";
+        let start = format!(
+            "<figure><img class=\"pixels\" style=\"width: 50%\" alt=\"{caption}\" \
+             src=\"data:image/png;base64,iVBORw0KGgo"
+        );
+        assert!(html.starts_with(&start), "{html}");
+        assert!(html.ends_with(&format!("<figcaption>{caption}</figcaption></figure>")));
+        assert!(!html.contains('\n'));
+    }
+
+    #[test]
+    fn a_row_holds_each_figure() {
+        let html = expand_row(&["ch01/image.png", "ch01/plot.svg"], &fixtures()).unwrap();
+        assert_eq!(html.matches("<figure>").count(), 2);
+        assert!(html.contains("data:image/svg+xml;base64,PHN2Zy"));
+    }
+
+    #[test]
+    fn mistakes_are_refused() {
+        let run = fixtures();
+        let one = |arguments: &[&str]| expand(arguments, &run).unwrap_err();
+        assert!(one(&["ch01/lost.png"]).starts_with("cannot read `ch01/lost.png`"));
+        assert!(one(&["ch01/nothing.png"]).starts_with("unknown figure in ch01"));
+        assert!(one(&["image.png"]).contains("instead of `image.png`"));
+        assert!(one(&["ch01/image.png", "width=0%"]).contains("is no width"));
+        assert!(one(&["ch01/image.png", "50%"]).contains("is no width"));
+        assert!(one(&[]).contains("write `chapter/file`"));
+        assert!(expand_row(&["ch01/image.png"], &run).is_err());
+        assert_eq!(png_width(b"<svg/>"), None);
+    }
+}

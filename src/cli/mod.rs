@@ -1,0 +1,107 @@
+//! The `halfdisk` command, one file for each thing it does.
+//!
+//! Text for people goes to stderr, results to stdout. Exit codes: 0 done, 1 failed, 2 bad usage or
+//! input, 130 interrupted.
+
+mod completions;
+mod page;
+
+mod render;
+mod scenes;
+mod tour;
+
+use crate::desk::INTERRUPTED;
+use crate::output::OutputError;
+use crate::scene::SceneError;
+use clap::{Parser, Subcommand};
+use std::process::ExitCode;
+
+/// Light transport by running it: from Whitted ray tracing to path tracing, step by step
+#[derive(Debug, Parser)]
+#[command(name = "halfdisk", version, max_term_width = 100, after_help = AFTER_HELP)]
+pub struct Command {
+    #[command(subcommand)]
+    action: Action,
+}
+
+const AFTER_HELP: &str = "\
+Start here:
+  halfdisk tour                       run every chapter, then open out/index.html
+  halfdisk scenes                     what there is to render
+  halfdisk render cornell             a picture in out/cornell.png
+  halfdisk scenes --show cornell > mine.toml
+  halfdisk render mine.toml --spp 256 --out mine.exr";
+
+#[derive(Debug, Subcommand)]
+enum Action {
+    /// Run the chapters in order; write the gallery page and the ledger
+    Tour(tour::Tour),
+    /// Render a scene
+    Render(render::Render),
+    /// List the scenes of the gallery, or show one's file
+    Scenes(scenes::Scenes),
+    /// Print the completions of a shell
+    Completions(completions::Completions),
+}
+
+impl Command {
+    /// Does what was asked.
+    pub fn run(self) -> ExitCode {
+        let result = match self.action {
+            Action::Tour(tour) => tour.run(),
+            Action::Render(render) => render.run(),
+            Action::Scenes(scenes) => scenes.run(),
+            Action::Completions(completions) => completions.run(),
+        };
+        match result {
+            Ok(()) => ExitCode::SUCCESS,
+            Err(Stop::Interrupted) => ExitCode::from(INTERRUPTED),
+            Err(Stop::Input(what)) => {
+                eprintln!("error: {what}");
+                ExitCode::from(2)
+            }
+            Err(Stop::Failure(what)) => {
+                eprintln!("error: {what}");
+                ExitCode::FAILURE
+            }
+        }
+    }
+}
+
+/// Why a command ended early.
+#[derive(Debug)]
+enum Stop {
+    /// What the user asked for cannot be: exit code 2.
+    Input(String),
+    /// Something went wrong on the way: exit code 1.
+    Failure(String),
+    /// Ctrl-C: exit code 130.
+    Interrupted,
+}
+
+impl From<SceneError> for Stop {
+    fn from(error: SceneError) -> Self {
+        Stop::Input(error.to_string())
+    }
+}
+
+impl From<OutputError> for Stop {
+    fn from(error: OutputError) -> Self {
+        match error {
+            OutputError::Format(_) => Stop::Input(error.to_string()),
+            _ => Stop::Failure(error.to_string()),
+        }
+    }
+}
+
+impl From<serde_json::Error> for Stop {
+    fn from(error: serde_json::Error) -> Self {
+        Stop::Failure(error.to_string())
+    }
+}
+
+impl From<std::io::Error> for Stop {
+    fn from(error: std::io::Error) -> Self {
+        Stop::Failure(error.to_string())
+    }
+}

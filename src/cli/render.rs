@@ -1,0 +1,250 @@
+//! `halfdisk render`.
+
+use super::Stop;
+use crate::desk::{Bar, on_ctrl_c};
+use crate::integrators::{Albedo, Depth, Integrator, Normals, Whitted};
+use crate::output::{self, Display, Format, OutputError, Provenance};
+use crate::render::{self, Options, Rendered};
+use crate::scene::{Scene, gallery};
+use clap::{Args, ValueEnum};
+use serde_json::json;
+use std::path::{Path, PathBuf};
+
+/// Render a scene.
+#[derive(Debug, Args)]
+pub struct Render {
+    /// A scene of the gallery (see `halfdisk scenes`), or a path to a .toml file
+    scene: String,
+    /// How light is computed
+    #[arg(long, value_enum, default_value_t = Method::Whitted)]
+    integrator: Method,
+    /// Samples per pixel [default: the scene's suggestion]
+    #[arg(long, value_parser = clap::value_parser!(u32).range(1..=1 << 24))]
+    spp: Option<u32>,
+    /// Longest path in segments: the camera ray is the first, the one to the light the last
+    /// [default: the scene's suggestion]
+    #[arg(long, value_parser = clap::value_parser!(u32).range(1..=100_000))]
+    max_depth: Option<u32>,
+    /// Image size in pixels, such as 640x480 [default: the scene's]
+    #[arg(long, value_name = "WxH", value_parser = size)]
+    size: Option<[u32; 2]>,
+    /// Seed of all random numbers: the same seed gives the same bytes
+    #[arg(long, default_value_t = 0)]
+    seed: u64,
+    /// Threads to render on; changes no bit of the picture [default: one for each core]
+    #[arg(long, value_parser = clap::value_parser!(u16).range(1..=1024))]
+    threads: Option<u16>,
+    /// The picture: .png for screens, .exr with errors and sample counts, .hdr
+    /// [default: out/SCENE.png]
+    #[arg(long, value_name = "FILE")]
+    out: Option<PathBuf>,
+    /// Print what was rendered as JSON, to stdout
+    #[arg(long)]
+    json: bool,
+    /// No progress bar and no report
+    #[arg(long, short)]
+    quiet: bool,
+}
+
+/// The integrators by name.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+enum Method {
+    /// Shadow, mirror and glass rays; no light between diffuse surfaces
+    Whitted,
+    /// Debugging view: the normal at the first hit, as colour
+    Normals,
+    /// Debugging view: the share of light the first hit sends back
+    Albedo,
+    /// Debugging view: the distance to the first hit (white is the farthest)
+    Depth,
+}
+
+fn size(text: &str) -> Result<[u32; 2], String> {
+    let parsed = text.split_once(['x', 'X']).and_then(|(width, height)| {
+        let side = |s: &str| s.parse::<u32>().ok().filter(|n| *n > 0);
+        Some([side(width)?, side(height)?])
+    });
+    parsed.ok_or_else(|| "a size is two whole numbers above 0, such as 640x480".to_owned())
+}
+
+impl Render {
+    pub(super) fn run(self) -> Result<(), Stop> {
+        if cfg!(debug_assertions) && !self.quiet {
+            eprintln!("note: built for development; `cargo run --release` is several times faster");
+        }
+        let scene = gallery::load_with(&self.scene, |description| {
+            if let Some(size) = self.size {
+                description.film.size = size.map(i64::from);
+            }
+        })?;
+        // Checked before any work, so that none is lost to a misspelt name.
+        let path = self.path(&scene);
+        if Format::of(&path).is_none() {
+            return Err(OutputError::Format(path.display().to_string()).into());
+        }
+        if let Some(threads) = self.threads {
+            rayon::ThreadPoolBuilder::new()
+                .num_threads(usize::from(threads))
+                .build_global()
+                .map_err(|e| Stop::Failure(format!("the threads cannot be started: {e}")))?;
+        }
+
+        let max_depth = self.max_depth(&scene)?;
+        let rendered = match self.integrator {
+            Method::Whitted => self.with(&scene, &Whitted { max_depth }),
+            Method::Normals => self.with(&scene, &Normals),
+            Method::Albedo => self.with(&scene, &Albedo),
+            Method::Depth => self.with(&scene, &Depth),
+        };
+        let display = match self.integrator {
+            Method::Whitted => Display::Radiance,
+            Method::Normals | Method::Albedo => Display::Data { white: 1.0 },
+            Method::Depth => Display::Data {
+                white: rendered.film.max(),
+            },
+        };
+        let spp = u64::from(self.spp(&scene));
+        let facts = Provenance::new(&scene, &self.integrator.name(), max_depth, spp, self.seed);
+        output::write(&path, &rendered.film, display, &facts)?;
+        if !self.quiet {
+            eprint!("{}", report(&scene, &rendered));
+            eprintln!("wrote {}", path.display());
+        }
+        if self.json {
+            let object = as_json(&scene, &facts, &rendered, &path);
+            println!("{}", serde_json::to_string_pretty(&object)?);
+        }
+        if rendered.interrupted {
+            return Err(Stop::Interrupted);
+        }
+        Ok(())
+    }
+
+    fn with(&self, scene: &Scene, integrator: &impl Integrator) -> Rendered {
+        let options = Options {
+            spp: self.spp(scene),
+            seed: self.seed,
+            ..Options::default()
+        };
+        let stop = on_ctrl_c();
+        let bar = if self.quiet {
+            Bar::hidden(stop)
+        } else {
+            Bar::new(&scene.name, stop)
+        };
+        render::render(scene, integrator, &options, &bar)
+    }
+
+    /// Where the picture goes.
+    fn path(&self, scene: &Scene) -> PathBuf {
+        self.out.clone().unwrap_or_else(|| {
+            // A scene's name may hold anything; a file's may not.
+            let safe = |c: char| c.is_alphanumeric() || "-_ ".contains(c);
+            let name = scene.name.replace(|c| !safe(c), "_");
+            PathBuf::from("out").join(name + ".png")
+        })
+    }
+
+    fn spp(&self, scene: &Scene) -> u32 {
+        self.spp.unwrap_or(scene.suggested.spp)
+    }
+
+    fn max_depth(&self, scene: &Scene) -> Result<u32, Stop> {
+        match self.max_depth {
+            Some(depth) if self.integrator == Method::Whitted && depth > Whitted::MAX_DEPTH => {
+                Err(Stop::Input(format!(
+                    "--max-depth {depth}: the tree of `whitted` may double with each segment, \
+                     so it ends at {} at the latest",
+                    Whitted::MAX_DEPTH
+                )))
+            }
+            Some(depth) => Ok(depth),
+            None if self.integrator == Method::Whitted => {
+                Ok(scene.suggested.max_depth.min(Whitted::MAX_DEPTH))
+            }
+            None => Ok(scene.suggested.max_depth),
+        }
+    }
+}
+
+impl Method {
+    fn name(self) -> String {
+        self.to_possible_value()
+            .map_or_else(String::new, |v| v.get_name().to_owned())
+    }
+}
+
+/// What happened, for people.
+fn report(scene: &Scene, rendered: &Rendered) -> String {
+    let mut text = String::new();
+    let mut line = |l: String| {
+        text += &l;
+        text.push('\n');
+    };
+    let seconds = rendered.time.as_secs_f64();
+    let rays = rendered.rays;
+    let [w, h] = scene.size;
+    line(format!(
+        "{}: {w} x {h}, {} shapes, built in {:.3} s, rendered in {seconds:.3} s",
+        scene.name,
+        scene.report.shapes,
+        scene.report.time.as_secs_f64(),
+    ));
+    line(format!(
+        "rays: {} camera, {} secondary, {} shadow; {:.2} million per second",
+        rays.camera,
+        rays.secondary,
+        rays.shadow,
+        rays.total() as f64 / seconds / 1e6
+    ));
+    let (mean, error) = rendered.film.mean();
+    line(format!("mean of the picture: {mean:.6} ± {error:.1e}"));
+    if scene.report.degenerate_triangles > 0 {
+        line(format!(
+            "note: {} triangles without area were left out",
+            scene.report.degenerate_triangles
+        ));
+    }
+    if let Some(bad) = rendered.first_bad {
+        line(format!(
+            "warning: {} samples were not finite and are in no mean; the first is sample {} of \
+             pixel {},{}",
+            rendered.non_finite, bad.sample, bad.x, bad.y
+        ));
+    }
+    if rendered.interrupted {
+        let counts = rendered.film.pixels().iter().map(|p| p.count());
+        line(format!(
+            "interrupted: the picture has {} to {} samples per pixel",
+            counts.clone().min().unwrap_or(0),
+            counts.max().unwrap_or(0)
+        ));
+    }
+    text
+}
+
+/// What happened, for machines.
+fn as_json(
+    scene: &Scene,
+    facts: &Provenance,
+    rendered: &Rendered,
+    path: &Path,
+) -> serde_json::Value {
+    let seconds = rendered.time.as_secs_f64();
+    let (mean, error) = rendered.film.mean();
+    json!({
+        "facts": facts,
+        "size": scene.size,
+        "shapes": scene.report.shapes,
+        "degenerate_triangles": scene.report.degenerate_triangles,
+        "build_seconds": scene.report.time.as_secs_f64(),
+        "seconds": seconds,
+        "rays": rendered.rays,
+        "rays_per_second": rendered.rays.total() as f64 / seconds,
+        "mean": { "value": mean, "error": error },
+        "non_finite": rendered.non_finite,
+        "first_non_finite": rendered.first_bad,
+        "interrupted": rendered.interrupted,
+        "out": path,
+    })
+}

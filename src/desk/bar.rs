@@ -1,0 +1,49 @@
+//! A progress bar with the time left, on stderr; silent where that is no terminal.
+
+use crate::render::Progress;
+use indicatif::{ProgressBar, ProgressStyle};
+use std::sync::atomic::{AtomicBool, Ordering};
+
+/// Shows how far a render is, and passes on a wish to stop.
+#[derive(Debug)]
+pub struct Bar {
+    bar: ProgressBar,
+    stop: &'static AtomicBool,
+}
+
+impl Bar {
+    /// A bar labelled `what` that stops its render once `stop` is true.
+    pub fn new(what: &str, stop: &'static AtomicBool) -> Self {
+        let bar = ProgressBar::new(0).with_message(what.to_owned());
+        let template = "{msg}  [{bar:32}] {percent:>3} %  {elapsed} gone, {eta} left";
+        if let Ok(style) = ProgressStyle::with_template(template) {
+            bar.set_style(style.progress_chars("=> "));
+        }
+        Bar { bar, stop }
+    }
+
+    /// A bar that shows nothing.
+    pub fn hidden(stop: &'static AtomicBool) -> Self {
+        Bar {
+            bar: ProgressBar::hidden(),
+            stop,
+        }
+    }
+}
+
+impl Drop for Bar {
+    fn drop(&mut self) {
+        self.bar.finish_and_clear();
+    }
+}
+
+impl Progress for Bar {
+    fn tell(&self, done: u64, total: u64) {
+        self.bar.set_length(total);
+        self.bar.set_position(done);
+    }
+
+    fn stop(&self) -> bool {
+        self.stop.load(Ordering::Relaxed)
+    }
+}

@@ -1,0 +1,74 @@
+//! A sphere.
+
+use super::{Aabb, Crossing, PreparedRay, Ray, Surface};
+use crate::numeric::{gamma, quadratic_with};
+use glam::Vec3;
+
+/// Bound on how far off a sphere `f64` puts a point or sees a ray's origin, relative to its radius:
+/// eight roundings.
+const SPHERE_ERROR: f32 = 4.0 * f64::EPSILON as f32;
+
+/// A sphere; its normal points outwards.
+#[derive(Clone, Copy, Debug)]
+pub struct Sphere {
+    /// Its centre.
+    pub center: Vec3,
+    /// Its radius, positive.
+    pub radius: f32,
+}
+
+impl Sphere {
+    /// The first crossing with `0 < t <= t_max`.
+    ///
+    /// Numbers go in and out as `f32`, the quadratic runs in `f64`: ten thousand radii away the
+    /// `f32` form misses 28 % of the hits and hits with 71 % of the misses. Its discriminant comes
+    /// from the distance between centre and line, by `(f·d)² - f²d² = -|f × d|²`, for a hundred
+    /// million radii away the plain difference fails in `f64` too.
+    #[inline(never)]
+    pub fn cross(&self, ray: &PreparedRay, t_max: f32) -> Option<Crossing> {
+        let d = ray.direction.as_dvec3();
+        let from_center = ray.origin.as_dvec3() - self.center.as_dvec3();
+        let radius2 = f64::from(self.radius) * f64::from(self.radius);
+        let a = d.length_squared();
+        let roots = quadratic_with(
+            a * radius2 - from_center.cross(d).length_squared(),
+            a,
+            from_center.dot(d),
+            from_center.length_squared() - radius2,
+        )?;
+        let t = if roots.near > 0.0 {
+            roots.near
+        } else {
+            roots.far
+        };
+        let t = t as f32;
+        (t > 0.0 && t <= t_max).then_some(Crossing { t, u: 0.0, v: 0.0 })
+    }
+
+    /// The surface where `ray` crosses.
+    pub fn surface(&self, ray: &Ray, crossing: Crossing) -> Surface {
+        let hit = ray.origin.as_dvec3() + ray.direction.as_dvec3() * f64::from(crossing.t);
+        self.surface_towards((hit - self.center.as_dvec3()).normalize())
+    }
+
+    /// The surface in the unit direction `n` from the centre.
+    pub fn surface_towards(&self, n: glam::DVec3) -> Surface {
+        let p = (self.center.as_dvec3() + n * f64::from(self.radius)).as_vec3();
+        Surface {
+            p,
+            // One rounding to f32, one to spare, and those of the sum in f64, which matter only
+            // where a huge sphere passes close to the world's origin.
+            error: p.abs() * gamma(2) + self.radius * SPHERE_ERROR,
+            n: n.as_vec3(),
+        }
+    }
+
+    /// The box of the sphere, rounded outwards.
+    pub fn bounds(&self) -> Aabb {
+        let out = |f: fn(f32) -> f32, v: Vec3| Vec3::new(f(v.x), f(v.y), f(v.z));
+        Aabb {
+            min: out(f32::next_down, self.center - self.radius),
+            max: out(f32::next_up, self.center + self.radius),
+        }
+    }
+}

@@ -1,0 +1,26 @@
+//! The stages of the algorithm, side by side: each a complete answer to "how much light comes
+//! along this ray?".
+//!
+//! No integrator is a flag of another one. They share the floors below, never each other's lines.
+
+mod tree;
+mod views;
+mod whitted;
+
+pub use tree::{Met, RayKind, RecordedRay, TreeCount, TreeRay, TreeRecord, Watch};
+pub use views::{Albedo, Depth, Normals};
+pub use whitted::Whitted;
+
+use crate::color::Rgb;
+use crate::geometry::Ray;
+use crate::sampling::stream::Stream;
+use crate::scene::Tracer;
+
+/// An estimate of the light along a camera ray.
+pub trait Integrator: Sync {
+    /// One sample of the radiance that arrives along `ray`, in W/(m² sr).
+    ///
+    /// A pure function of its arguments: all randomness comes from `stream`, all rays go through
+    /// `tracer`.
+    fn li(&self, tracer: &mut Tracer, ray: &Ray, stream: &Stream) -> Rgb;
+}

@@ -1,0 +1,141 @@
+//! Whitted's ray tracing: a tree of mirror and glass rays, and shadow rays at its leaves.
+//!
+//! Simulates the paths `LD?S*E`: light that is seen directly, through any number of perfectly
+//! specular bounces, or after exactly one diffuse reflection. Light that bounces between diffuse
+//! surfaces, or is focused on one by glass, is not there.
+//!
+//! Source: Whitted, An Improved Illumination Model for Shaded Display (CACM 23(6), 1980). His
+//! lights are points; here a shadow ray aims at a random point of an extended light.
+
+use super::{Integrator, RayKind, TreeRay, Watch};
+use crate::color::Rgb;
+use crate::geometry::Ray;
+use crate::materials::Branch;
+use crate::sampling::frame::Frame;
+use crate::sampling::stream::{Purpose, Stream};
+use crate::scene::{Hit, Tracer};
+
+/// Whitted's integrator.
+#[derive(Clone, Copy, Debug)]
+pub struct Whitted {
+    /// Longest path in segments: the camera ray is the first, the shadow ray the last. The tree
+    /// may double with each, so at most [`Whitted::MAX_DEPTH`].
+    pub max_depth: u32,
+}
+
+impl Whitted {
+    /// The deepest tree whose nodes can be numbered.
+    pub const MAX_DEPTH: u32 = 63;
+
+    /// The radiance along `ray`, with someone looking on.
+    pub fn watch(
+        &self,
+        tracer: &mut Tracer,
+        ray: &Ray,
+        stream: &Stream,
+        watcher: &mut impl Watch,
+    ) -> Rgb {
+        debug_assert!(self.max_depth <= Self::MAX_DEPTH);
+        let root = TreeRay {
+            node: 1,
+            depth: 1,
+            kind: RayKind::Camera,
+            weight: 1.0,
+        };
+        let hit = tracer.camera_ray(ray);
+        self.follow(tracer, ray, hit, &root, stream, watcher)
+    }
+
+    // ANCHOR: follow
+    /// The radiance that arrives along one ray of the tree.
+    fn follow(
+        &self,
+        tracer: &mut Tracer,
+        ray: &Ray,
+        hit: Option<Hit>,
+        here: &TreeRay,
+        stream: &Stream,
+        watcher: &mut impl Watch,
+    ) -> Rgb {
+        watcher.saw(here, ray, hit.as_ref());
+        let Some(hit) = hit else {
+            return tracer.scene().background;
+        };
+
+        // The light this surface sends towards the eye by itself.
+        let mut li = hit.emitted(-ray.direction);
+        if here.depth < self.max_depth {
+            li += direct_light(tracer, ray, &hit, here.node, stream);
+        }
+        watcher.gained(here.node, li);
+
+        // The light it passes on: one ray for each perfectly specular direction.
+        if here.depth < self.max_depth
+            && let Some(material) = hit.object.material
+        {
+            let frame = Frame::new(hit.surface.n);
+            let specular = material.specular(frame.to_local(-ray.direction));
+            let mut branch = |b: Branch, kind, node| {
+                let next_ray = hit.surface.spawn(frame.to_world(b.wi).normalize());
+                let next = TreeRay {
+                    node,
+                    depth: here.depth + 1,
+                    kind,
+                    weight: here.weight * mean(b.weight),
+                };
+                let next_hit = tracer.secondary_ray(&next_ray);
+                b.weight * self.follow(tracer, &next_ray, next_hit, &next, stream, watcher)
+            };
+            if let Some(b) = specular.reflected {
+                li += branch(b, RayKind::Reflected, 2 * here.node);
+            }
+            if let Some(b) = specular.transmitted {
+                li += branch(b, RayKind::Transmitted, 2 * here.node + 1);
+            }
+        }
+        li
+    }
+    // ANCHOR_END: follow
+}
+
+impl Integrator for Whitted {
+    fn li(&self, tracer: &mut Tracer, ray: &Ray, stream: &Stream) -> Rgb {
+        self.watch(tracer, ray, stream, &mut ())
+    }
+}
+
+// ANCHOR: direct_light
+/// The light of all lamps that the surface scatters diffusely back along `ray`.
+fn direct_light(tracer: &mut Tracer, ray: &Ray, hit: &Hit, node: u64, stream: &Stream) -> Rgb {
+    let Some(material) = hit.object.material else {
+        return Rgb::BLACK;
+    };
+    let frame = Frame::new(hit.surface.n);
+    let wo = frame.to_local(-ray.direction);
+    let mut light_out = Rgb::BLACK;
+    for (i, light) in tracer.scene().lights.iter().enumerate() {
+        let u = stream.at_item(node, Purpose::LightPoint, i as u32).two();
+        let Some(sample) = light.sample(&hit.surface, u) else {
+            continue;
+        };
+        let wi = frame.to_local(sample.wi);
+        let f = material.f(wo, wi);
+        let cos = wi.z.abs();
+        // A shadow ray costs as much as any other: it is not sent where nothing could come of it.
+        if !f.is_black() && cos > 0.0 && tracer.is_free(&sample.shadow_ray) {
+            light_out += f * sample.incident.facing_irradiance() * cos;
+        }
+    }
+    light_out
+}
+// ANCHOR_END: direct_light
+
+fn mean(weight: Rgb) -> f64 {
+    let [r, g, b] = weight.channels().map(f64::from);
+    // A grey weight stays exactly itself.
+    if r == g && g == b {
+        r
+    } else {
+        (r + g + b) / 3.0
+    }
+}

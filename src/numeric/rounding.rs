@@ -1,0 +1,80 @@
+//! Bounds on rounding errors, and ray origins that respect them.
+
+use glam::Vec3;
+
+/// The unit round-off of `f32`: the largest relative error of one correctly rounded operation.
+pub const UNIT_ROUNDOFF: f32 = f32::EPSILON * 0.5;
+
+/// Bound on the relative error after `n` rounded operations, `n u / (1 - n u)`.
+///
+/// Source: Higham, Accuracy and Stability of Numerical Algorithms (2nd ed. 2002), lemma 3.1.
+pub const fn gamma(n: u32) -> f32 {
+    let nu = n as f32 * UNIT_ROUNDOFF;
+    nu / (1.0 - nu)
+}
+
+/// Moves a hit point off its surface, to the side that `direction` leaves on.
+///
+/// * `p` is the computed point; the true one lies within `error` of it, coordinate by coordinate.
+/// * `n` is the geometric unit normal; its sign does not matter.
+/// * Result: the nearest representable point that is certainly on the side of `direction`.
+///
+/// The distance moved is `|n| · error`, so it scales with the scene: no constant here is a length.
+/// Source: Pharr, Jakob, Humphreys, Physically Based Rendering (4th ed. 2023), "Robust Spawned
+/// Ray Origins".
+pub fn offset_origin(p: Vec3, error: Vec3, n: Vec3, direction: Vec3) -> Vec3 {
+    let distance = n.abs().dot(error);
+    let side = if direction.dot(n) < 0.0 { -1.0 } else { 1.0 };
+    let offset = n * (side * distance);
+    // The sum below rounds too: step on to the next number away from the surface.
+    let away = |p: f32, offset: f32| {
+        let moved = p + offset;
+        if offset > 0.0 {
+            moved.next_up()
+        } else if offset < 0.0 {
+            moved.next_down()
+        } else {
+            moved
+        }
+    };
+    Vec3::new(
+        away(p.x, offset.x),
+        away(p.y, offset.y),
+        away(p.z, offset.z),
+    )
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn gamma_bounds_a_long_product() {
+        let mut product = 1.0_f32;
+        for _ in 0..1000 {
+            product *= 1.0 + UNIT_ROUNDOFF * 1.5;
+        }
+        let exact = libm::pow(1.0 + f64::from(UNIT_ROUNDOFF) * 1.5, 1000.0);
+        // Each factor is itself rounded: two roundings per step.
+        assert!((f64::from(product) - exact).abs() / exact <= f64::from(gamma(2000)));
+        assert!(gamma(7) > 7.0 * UNIT_ROUNDOFF);
+    }
+
+    #[test]
+    fn the_origin_leaves_on_the_side_of_the_direction() {
+        let p = Vec3::new(1000.0, -2000.0, 3000.0);
+        let error = p.abs() * gamma(7);
+        let n = Vec3::new(1.0, 2.0, -2.0) / 3.0;
+        for side in [1.0, -1.0] {
+            let moved = offset_origin(p, error, n, n * side);
+            let distance = (moved - p).as_dvec3().dot(n.as_dvec3()) * f64::from(side);
+            assert!(distance >= f64::from(n.abs().dot(error)), "{distance}");
+        }
+    }
+
+    #[test]
+    fn moving_by_nothing_stays_in_place() {
+        let p = Vec3::new(1.0, 2.0, 3.0);
+        assert_eq!(offset_origin(p, Vec3::ZERO, Vec3::Z, Vec3::Z), p);
+    }
+}

@@ -1,0 +1,59 @@
+//! PNG: eight bits per channel, with the picture's provenance as text.
+
+use super::{Display, OutputError, Provenance};
+use crate::color::{quantise, srgb_encode};
+use crate::render::{Film, Pixel};
+
+/// The colour of pixels that have not a single finite sample: magenta, which no one overlooks.
+const NO_SAMPLE: [u8; 3] = [255, 0, 255];
+
+/// A film as a PNG file. The same film gives the same bytes.
+pub fn png_bytes(
+    film: &Film,
+    display: Display,
+    provenance: &Provenance,
+) -> Result<Vec<u8>, OutputError> {
+    encode(film, display, provenance).map_err(|e| OutputError::Encoding("PNG".to_owned(), e))
+}
+
+fn encode(film: &Film, display: Display, provenance: &Provenance) -> Result<Vec<u8>, String> {
+    let pixels: Vec<u8> = film
+        .pixels()
+        .iter()
+        .flat_map(|p| shade(p, display))
+        .collect();
+    let mut bytes = Vec::new();
+    let mut encoder = png::Encoder::new(&mut bytes, film.width(), film.height());
+    encoder.set_color(png::ColorType::Rgb);
+    encoder.set_depth(png::BitDepth::Eight);
+    if display == Display::Radiance {
+        encoder.set_source_srgb(png::SrgbRenderingIntent::RelativeColorimetric);
+    }
+    let facts = serde_json::to_string(provenance).map_err(|e| e.to_string())?;
+    for (key, text) in [
+        ("Software", provenance.software.clone()),
+        ("Title", provenance.scene.clone()),
+        ("halfdisk", facts),
+    ] {
+        encoder
+            .add_itxt_chunk(key.to_owned(), text)
+            .map_err(|e| e.to_string())?;
+    }
+    let mut writer = encoder.write_header().map_err(|e| e.to_string())?;
+    writer
+        .write_image_data(&pixels)
+        .map_err(|e| e.to_string())?;
+    writer.finish().map_err(|e| e.to_string())?;
+    Ok(bytes)
+}
+
+fn shade(pixel: &Pixel, display: Display) -> [u8; 3] {
+    let Some(mean) = pixel.mean() else {
+        return NO_SAMPLE;
+    };
+    mean.map(|x| match display {
+        Display::Radiance => quantise(srgb_encode(x)),
+        Display::Data { white } if white > 0.0 => quantise(x / white),
+        Display::Data { .. } => 0,
+    })
+}

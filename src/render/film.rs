@@ -1,0 +1,110 @@
+//! What the samples add up to.
+
+use crate::color::Rgb;
+use crate::stats::Estimate;
+
+/// A pixel: an estimate for each channel.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Pixel {
+    /// Red, green, blue.
+    pub channels: [Estimate; 3],
+}
+
+impl Pixel {
+    /// Adds a finite sample.
+    pub fn add(&mut self, sample: Rgb) {
+        debug_assert!(sample.is_finite(), "{sample:?}");
+        for (estimate, x) in self.channels.iter_mut().zip(sample.channels()) {
+            estimate.add(f64::from(x));
+        }
+    }
+
+    /// How many samples were added.
+    pub fn count(&self) -> u64 {
+        self.channels[0].count()
+    }
+
+    /// The mean of the samples; `None` where there are none.
+    pub fn mean(&self) -> Option<[f64; 3]> {
+        (self.count() > 0).then(|| self.channels.map(|e| e.mean()))
+    }
+}
+
+/// Where a sample came out as NaN or infinity: enough to trace it again.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, serde::Serialize)]
+pub struct BadSample {
+    /// Column, from the left.
+    pub x: u32,
+    /// Row, from the top.
+    pub y: u32,
+    /// Number of the sample in its pixel.
+    pub sample: u32,
+}
+
+/// A picture with its errors: for each pixel the mean and the variance of its samples, in `f64`.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Film {
+    width: u32,
+    /// Row by row from the top.
+    pixels: Vec<Pixel>,
+}
+
+impl Film {
+    /// A film from its pixels, row by row from the top.
+    ///
+    /// # Panics
+    ///
+    /// Where the number of pixels is not a multiple of `width`.
+    pub fn new(width: u32, pixels: Vec<Pixel>) -> Self {
+        assert_eq!(pixels.len() % width as usize, 0);
+        Film { width, pixels }
+    }
+
+    /// Width in pixels.
+    pub fn width(&self) -> u32 {
+        self.width
+    }
+
+    /// Height in pixels.
+    pub fn height(&self) -> u32 {
+        (self.pixels.len() / self.width as usize) as u32
+    }
+
+    /// The pixels, row by row from the top.
+    pub fn pixels(&self) -> &[Pixel] {
+        &self.pixels
+    }
+
+    /// The pixel in column `x` from the left and row `y` from the top.
+    pub fn pixel(&self, x: u32, y: u32) -> &Pixel {
+        &self.pixels[y as usize * self.width as usize + x as usize]
+    }
+
+    /// The mean of the picture over pixels and channels, and its standard error.
+    ///
+    /// Pixels are independent, so their squared errors add. The channels of a pixel share their
+    /// samples; they are taken as fully correlated, which can only overstate the error.
+    pub fn mean(&self) -> (f64, f64) {
+        let mut values = Estimate::new();
+        let mut squared_error = 0.0;
+        for pixel in self.pixels.iter().filter(|p| p.count() > 0) {
+            let third = |f: fn(&Estimate) -> f64| pixel.channels.iter().map(f).sum::<f64>() / 3.0;
+            values.add(third(Estimate::mean));
+            squared_error += third(Estimate::std_error).powi(2);
+        }
+        let n = values.count().max(1) as f64;
+        (values.mean(), squared_error.sqrt() / n)
+    }
+
+    /// The variance of one sample, mean over pixels and channels.
+    pub fn sample_variance(&self) -> f64 {
+        let channels = self.pixels.iter().flat_map(|p| p.channels);
+        channels.map(|e| e.variance()).collect::<Estimate>().mean()
+    }
+
+    /// The largest mean of any channel of any pixel; 0 for a black picture.
+    pub fn max(&self) -> f64 {
+        let means = self.pixels.iter().filter_map(Pixel::mean).flatten();
+        means.fold(0.0, f64::max)
+    }
+}

@@ -1,0 +1,12 @@
+//! The pixel loop: samples in, film out.
+//!
+//! A picture is a pure function of scene, integrator, seed and samples. Pixels are independent:
+//! each draws its own random numbers and adds its samples in their order, so neither the number
+//! of threads nor the size of the tiles changes a bit.
+
+pub mod compare;
+mod film;
+mod film_loop;
+
+pub use film::{BadSample, Film, Pixel};
+pub use film_loop::{Options, Progress, Rendered, render};

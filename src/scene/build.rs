@@ -1,0 +1,443 @@
+//! From a description to a scene: every value is checked here, and named where it is wrong.
+
+use super::description::{self as said, Description};
+use super::field::{self, Checked, Field, exactly_one};
+use super::{BuildReport, Object, Scene, Suggested, mesh_file, procedural};
+use crate::camera::Camera;
+use crate::color::Rgb;
+use crate::geometry::{Bvh, Mesh, Quad, Shape, Sphere};
+use crate::lights::{DirectionalLight, Light, PointLight, QuadLight, SphereLight};
+use crate::materials::{Glass, Lambert, Material, Mirror};
+use glam::{DMat3, DVec3, Vec3};
+use std::collections::BTreeMap;
+use std::path::Path;
+use std::time::Duration;
+
+/// Pixels an image may have: its film takes 72 bytes each.
+const MAX_PIXELS: u64 = 1 << 25;
+/// Longest side of an image.
+const MAX_SIDE: u32 = 65_536;
+
+/// Checks a description and builds its scene; meshes are looked for in `folder`.
+pub fn build(said: &Description, folder: Option<&Path>) -> Checked<Scene> {
+    let top = Field::top();
+    let size = film_size(&top.key("film").key("size"), said.film.size)?;
+    let (origin, camera) = camera(&top.key("camera"), &said.camera, size)?;
+    let render = top.key("render");
+    let suggested = Suggested {
+        max_depth: field::whole(&render.key("max_depth"), said.render.max_depth, 1, 100_000)?,
+        spp: field::whole(&render.key("spp"), said.render.spp, 1, 1 << 24)?,
+    };
+    let background = match said.background {
+        Some(color) => field::light_or_none(&top.key("background"), color)?,
+        None => Rgb::BLACK,
+    };
+    let mut parts = Parts {
+        origin,
+        folder,
+        materials: materials(&top.key("materials"), &said.materials)?,
+        shapes: Vec::new(),
+        object_of_shape: Vec::new(),
+        objects: Vec::new(),
+        lights: Vec::new(),
+        degenerate_triangles: 0,
+    };
+    for (i, light) in said.lights.iter().enumerate() {
+        parts.add_light(&top.key("lights").item(i), light)?;
+    }
+    for (i, object) in said.objects.iter().enumerate() {
+        parts.add_object(&top.key("objects").item(i), object)?;
+    }
+    Ok(Scene {
+        name: said.name.clone(),
+        about: said.about.clone(),
+        camera,
+        size,
+        background,
+        lights: parts.lights,
+        suggested,
+        report: BuildReport {
+            shapes: parts.shapes.len(),
+            degenerate_triangles: parts.degenerate_triangles,
+            time: Duration::ZERO,
+        },
+        objects: parts.objects,
+        object_of_shape: parts.object_of_shape,
+        bvh: Bvh::new(&parts.shapes),
+    })
+}
+
+fn film_size(field: &Field, [width, height]: [i64; 2]) -> Checked<[u32; 2]> {
+    let width = field::whole(&field.item(0), width, 1, MAX_SIDE)?;
+    let height = field::whole(&field.item(1), height, 1, MAX_SIDE)?;
+    if u64::from(width) * u64::from(height) > MAX_PIXELS {
+        return Err(field.problem(format!(
+            "must have at most {MAX_PIXELS} pixels in all, not {width} x {height}"
+        )));
+    }
+    Ok([width, height])
+}
+
+/// The camera's place in the world, and the camera in coordinates relative to it.
+fn camera(field: &Field, said: &said::Camera, [w, h]: [u32; 2]) -> Checked<(DVec3, Camera)> {
+    let from = field::vector(&field.key("from"), said.from)?;
+    let to = field::vector(&field.key("to"), said.to)?;
+    let up = field::direction(&field.key("up"), said.up)?;
+    let fov = field.key("fov");
+    if !(said.fov > 0.0 && said.fov < 180.0) {
+        return Err(fov.problem(format!(
+            "must be an angle between 0 and 180 degrees, not {}",
+            said.fov
+        )));
+    }
+    if from == to {
+        let what = "must be another point than `camera.from`: it gives the direction of view";
+        return Err(field.key("to").problem(what));
+    }
+    let aspect = f64::from(w) / f64::from(h);
+    Camera::new(Vec3::ZERO, to - from, up, said.fov.to_radians(), aspect)
+        .map(|camera| (from, camera))
+        .ok_or_else(|| {
+            field
+                .key("up")
+                .problem("must not be parallel to the direction of view")
+        })
+}
+
+fn materials(
+    field: &Field,
+    said: &BTreeMap<String, said::Material>,
+) -> Checked<BTreeMap<String, Material>> {
+    said.iter()
+        .map(|(name, m)| Ok((name.clone(), material(&field.key(name), m)?)))
+        .collect()
+}
+
+fn material(field: &Field, said: &said::Material) -> Checked<Material> {
+    let lambert = said.lambert.as_ref().map(|l| {
+        let albedo = field::reflectance(&field.key("lambert").key("albedo"), l.albedo)?;
+        Ok(Material::Lambert(Lambert { albedo }))
+    });
+    let mirror = said.mirror.as_ref().map(|m| {
+        let field = field.key("mirror").key("reflectance");
+        let reflectance = field::reflectance(&field, m.reflectance)?;
+        Ok(Material::Mirror(Mirror { reflectance }))
+    });
+    let glass = said.glass.as_ref().map(|g| {
+        let field = field.key("glass").key("ior");
+        if !(0.1..=10.0).contains(&g.ior) {
+            return Err(field.problem(format!("must be between 0.1 and 10, not {}", g.ior)));
+        }
+        let ior = g.ior as f32;
+        Ok(Material::Glass(Glass { ior }))
+    });
+    let kinds = vec![("lambert", lambert), ("mirror", mirror), ("glass", glass)];
+    exactly_one(field, "a kind of material", kinds)?
+}
+
+/// A scene while it is put together.
+struct Parts<'a> {
+    /// The camera's place: all coordinates become relative to it.
+    origin: DVec3,
+    folder: Option<&'a Path>,
+    materials: BTreeMap<String, Material>,
+    shapes: Vec<Shape>,
+    object_of_shape: Vec<u32>,
+    objects: Vec<Object>,
+    lights: Vec<Light>,
+    degenerate_triangles: usize,
+}
+
+impl Parts<'_> {
+    fn relative(&self, p: DVec3) -> Vec3 {
+        (p - self.origin).as_vec3()
+    }
+
+    fn add_light(&mut self, field: &Field, said: &said::Light) -> Checked<()> {
+        let point = said.point.as_ref().map(|l| {
+            let field = field.key("point");
+            let position = field::vector(&field.key("position"), l.position)?;
+            Ok(Light::Point(PointLight {
+                position: self.relative(position),
+                intensity: field::light(&field.key("intensity"), l.intensity)?,
+            }))
+        });
+        let directional = said.directional.as_ref().map(|l| {
+            let field = field.key("directional");
+            let direction = field::direction(&field.key("direction"), l.direction)?;
+            Ok(Light::Directional(DirectionalLight {
+                from: -direction.as_vec3(),
+                irradiance: field::light(&field.key("irradiance"), l.irradiance)?,
+            }))
+        });
+        let kinds = vec![("point", point), ("directional", directional)];
+        self.lights
+            .push(exactly_one(field, "a kind of light", kinds)??);
+        Ok(())
+    }
+
+    fn add_object(&mut self, field: &Field, said: &said::Object) -> Checked<()> {
+        let material = match &said.material {
+            Some(name) => Some(self.material_named(&field.key("material"), name)?),
+            None => None,
+        };
+        let emission = match said.emits {
+            Some(color) => Some(field::light(&field.key("emits"), color)?),
+            None => None,
+        };
+        if material.is_none() && emission.is_none() {
+            return Err(field.problem("needs a `material`, or `emits`, or both"));
+        }
+        let place = Placement::new(&field.key("transform"), said.transform.as_ref())?;
+        let shapes = self.shapes(field, said, &place)?;
+        if let Some(radiance) = emission {
+            for shape in &shapes {
+                self.lights.push(match *shape {
+                    Shape::Quad(quad) => Light::Quad(QuadLight { quad, radiance }),
+                    Shape::Sphere(sphere) => Light::Sphere(SphereLight { sphere, radiance }),
+                    Shape::Triangle(_) => {
+                        return Err(field.key("emits").problem(
+                            "is not possible for triangles and meshes; \
+                             quad, box and sphere can emit light",
+                        ));
+                    }
+                });
+            }
+        }
+        let id = self.objects.len() as u32;
+        self.objects.push(Object {
+            material,
+            emission: emission.unwrap_or_default(),
+        });
+        self.object_of_shape
+            .extend(std::iter::repeat_n(id, shapes.len()));
+        self.shapes.extend(shapes);
+        Ok(())
+    }
+
+    fn material_named(&self, field: &Field, name: &str) -> Checked<Material> {
+        self.materials.get(name).copied().ok_or_else(|| {
+            let defined: Vec<&str> = self.materials.keys().map(String::as_str).collect();
+            field.problem(if defined.is_empty() {
+                format!("names \"{name}\", but the file defines no materials")
+            } else {
+                format!("names \"{name}\"; defined are {}", defined.join(", "))
+            })
+        })
+    }
+
+    fn shapes(
+        &mut self,
+        field: &Field,
+        said: &said::Object,
+        place: &Placement,
+    ) -> Checked<Vec<Shape>> {
+        let at = |name: &str| field.key(name);
+        let sphere = said.sphere.as_ref();
+        let quad = said.quad.as_ref();
+        let triangle = said.triangle.as_ref();
+        let cuboid = said.cuboid.as_ref();
+        let mesh = said.mesh.as_ref();
+        let bumpy = said.bumpy_sphere.as_ref();
+        let kinds = vec![
+            (
+                "sphere",
+                sphere.map(|s| self.sphere(&at("sphere"), s, place)),
+            ),
+            ("quad", quad.map(|q| self.quad(&at("quad"), q, place))),
+            (
+                "triangle",
+                triangle.map(|t| self.triangle(&at("triangle"), t, place)),
+            ),
+            ("box", cuboid.map(|c| self.cuboid(&at("box"), c, place))),
+            ("mesh", mesh.map(|m| self.mesh_file(&at("mesh"), m, place))),
+            (
+                "bumpy_sphere",
+                bumpy.map(|b| self.bumpy_sphere(&at("bumpy_sphere"), b, place)),
+            ),
+        ];
+        exactly_one(field, "a shape", kinds)?
+    }
+
+    fn sphere(&self, field: &Field, said: &said::Sphere, place: &Placement) -> Checked<Vec<Shape>> {
+        let center = field::vector(&field.key("center"), said.center)?;
+        let radius_field = field.key("radius");
+        let radius = field::positive(&radius_field, said.radius)?;
+        let scale = place.uniform_scale().ok_or_else(|| {
+            field.problem("cannot be scaled differently along different axes; use a mesh")
+        })?;
+        let radius = field::positive(&radius_field, radius * scale)? as f32;
+        let center = self.relative(place.point(center));
+        Ok(vec![Shape::Sphere(Sphere { center, radius })])
+    }
+
+    fn quad(&self, field: &Field, said: &said::Quad, place: &Placement) -> Checked<Vec<Shape>> {
+        let corner = field::vector(&field.key("corner"), said.corner)?;
+        let u = field::vector(&field.key("u"), said.u)?;
+        let v = field::vector(&field.key("v"), said.v)?;
+        self.parallelogram(field, corner, u, v, place)
+            .map(|quad| vec![quad])
+    }
+
+    fn parallelogram(
+        &self,
+        field: &Field,
+        corner: DVec3,
+        u: DVec3,
+        v: DVec3,
+        place: &Placement,
+    ) -> Checked<Shape> {
+        let (u, v) = (place.vector(u), place.vector(v));
+        let (u, v) = if place.mirrors() { (v, u) } else { (u, v) };
+        Quad::new(place.point(corner) - self.origin, u, v)
+            .map(Shape::Quad)
+            .ok_or_else(|| field.problem("has no area: its edges are parallel, zero or too large"))
+    }
+
+    fn cuboid(&self, field: &Field, said: &said::Cuboid, place: &Placement) -> Checked<Vec<Shape>> {
+        let min = field::vector(&field.key("min"), said.min)?;
+        let max = field::vector(&field.key("max"), said.max)?;
+        if !min.cmplt(max).all() {
+            return Err(field.problem("must have each coordinate of `min` below that of `max`"));
+        }
+        let d = max - min;
+        let (x, y, z) = (DVec3::X * d.x, DVec3::Y * d.y, DVec3::Z * d.z);
+        [
+            (min, z, y),
+            (min, x, z),
+            (min, y, x),
+            (max, -y, -z),
+            (max, -z, -x),
+            (max, -x, -y),
+        ]
+        .into_iter()
+        .map(|(corner, u, v)| self.parallelogram(field, corner, u, v, place))
+        .collect()
+    }
+
+    fn triangle(
+        &mut self,
+        field: &Field,
+        said: &said::Triangle,
+        place: &Placement,
+    ) -> Checked<Vec<Shape>> {
+        let mesh = Mesh {
+            vertices: vec![
+                field::vector(&field.key("a"), said.a)?,
+                field::vector(&field.key("b"), said.b)?,
+                field::vector(&field.key("c"), said.c)?,
+            ],
+            triangles: vec![[0, 1, 2]],
+        };
+        let shapes = self.mesh(mesh, place);
+        if shapes.is_empty() {
+            return Err(field.problem("has no area: its corners lie on one line"));
+        }
+        Ok(shapes)
+    }
+
+    fn mesh_file(
+        &mut self,
+        field: &Field,
+        said: &said::MeshFile,
+        place: &Placement,
+    ) -> Checked<Vec<Shape>> {
+        let field = field.key("file");
+        let Some(folder) = self.folder else {
+            return Err(field.problem("is only possible in a scene file of its own"));
+        };
+        let path = folder.join(&said.file);
+        let mesh = mesh_file::read(&path)
+            .map_err(|what| field.problem(format!("names {}, which {what}", path.display())))?;
+        Ok(self.mesh(mesh, place))
+    }
+
+    fn bumpy_sphere(
+        &mut self,
+        field: &Field,
+        said: &said::BumpySphere,
+        place: &Placement,
+    ) -> Checked<Vec<Shape>> {
+        let center = field::vector(&field.key("center"), said.center)?;
+        let radius = field::positive(&field.key("radius"), said.radius)?;
+        let columns = field::whole(&field.key("columns"), said.columns, 3, 4096)?;
+        let rows = field::whole(&field.key("rows"), said.rows, 2, 4096)?;
+        let mesh = procedural::bumpy_sphere(center, radius, columns, rows);
+        Ok(self.mesh(mesh, place))
+    }
+
+    fn mesh(&mut self, mut mesh: Mesh, place: &Placement) -> Vec<Shape> {
+        if place.mirrors() {
+            mesh.triangles.iter_mut().for_each(|t| t.swap(1, 2));
+        }
+        let (triangles, count) = mesh.to_triangles(|p| self.relative(place.point(p)));
+        self.degenerate_triangles += count.degenerate;
+        triangles.into_iter().map(Shape::Triangle).collect()
+    }
+}
+
+/// Where a shape is put: scaled, then rotated, then shifted, all in `f64`.
+struct Placement {
+    linear: DMat3,
+    scale: DVec3,
+    shift: DVec3,
+}
+
+impl Placement {
+    fn new(field: &Field, said: Option<&said::Transform>) -> Checked<Self> {
+        let said = said.cloned().unwrap_or_default();
+        let scale_field = field.key("scale");
+        let scale = match said.scale {
+            Some(said::Color(factors)) => field::vector(&scale_field, factors)?,
+            None => DVec3::ONE,
+        };
+        if scale.cmpeq(DVec3::ZERO).any() {
+            let what = "must not be 0 along any axis: the shape would have no volume left";
+            return Err(scale_field.problem(what));
+        }
+        let rotation = match &said.rotate {
+            Some(r) => {
+                let field = field.key("rotate");
+                let axis = field::direction(&field.key("axis"), r.axis)?;
+                let degrees = field::finite(&field.key("degrees"), r.degrees)?;
+                rotation(axis, degrees.to_radians())
+            }
+            None => DMat3::IDENTITY,
+        };
+        let shift = match said.translate {
+            Some(t) => field::vector(&field.key("translate"), t)?,
+            None => DVec3::ZERO,
+        };
+        Ok(Placement {
+            linear: rotation * DMat3::from_diagonal(scale),
+            scale,
+            shift,
+        })
+    }
+
+    fn vector(&self, v: DVec3) -> DVec3 {
+        self.linear * v
+    }
+
+    fn point(&self, p: DVec3) -> DVec3 {
+        self.linear * p + self.shift
+    }
+
+    /// True where front and back change places.
+    fn mirrors(&self) -> bool {
+        self.scale.x * self.scale.y * self.scale.z < 0.0
+    }
+
+    /// The factor all lengths change by, if it is one.
+    fn uniform_scale(&self) -> Option<f64> {
+        let s = self.scale.abs();
+        (s.x == s.y && s.y == s.z).then_some(s.x)
+    }
+}
+
+/// The rotation about a unit axis (Rodrigues 1840), with sines that are the same everywhere.
+fn rotation(axis: DVec3, angle: f64) -> DMat3 {
+    let (sin, cos) = libm::sincos(angle);
+    let turn = |v: DVec3| v * cos + axis.cross(v) * sin + axis * (axis.dot(v) * (1.0 - cos));
+    DMat3::from_cols(turn(DVec3::X), turn(DVec3::Y), turn(DVec3::Z))
+}

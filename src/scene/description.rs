@@ -1,0 +1,314 @@
+//! What a scene file says: plain data, in the file's own words and units.
+//!
+//! Lengths are in scene units, angles in degrees, colours linear. Serde derives the reading, and
+//! refuses fields that do not exist; every number is checked later, by [`super::build`].
+
+use serde::de::{self, Deserialize, Deserializer, SeqAccess, Visitor};
+use std::collections::BTreeMap;
+use std::fmt;
+use std::path::PathBuf;
+
+/// Three coordinates.
+pub type Triple = [f64; 3];
+
+/// A whole file.
+#[derive(Clone, Debug, serde::Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Description {
+    /// The scene's name.
+    pub name: String,
+    /// One sentence about it.
+    #[serde(default)]
+    pub about: String,
+    /// Radiance of rays that leave the scene.
+    pub background: Option<Color>,
+    /// Suggested settings.
+    #[serde(default)]
+    pub render: Render,
+    /// The camera.
+    pub camera: Camera,
+    /// The film.
+    #[serde(default)]
+    pub film: Film,
+    /// Materials by name.
+    #[serde(default)]
+    pub materials: BTreeMap<String, Material>,
+    /// Everything with a surface.
+    #[serde(default)]
+    pub objects: Vec<Object>,
+    /// Lights without a surface.
+    #[serde(default)]
+    pub lights: Vec<Light>,
+}
+
+/// Suggested settings of a render.
+#[derive(Clone, Debug, serde::Deserialize)]
+#[serde(default, deny_unknown_fields)]
+pub struct Render {
+    /// Longest path, in segments.
+    pub max_depth: i64,
+    /// Samples per pixel.
+    pub spp: i64,
+}
+
+impl Default for Render {
+    fn default() -> Self {
+        Render {
+            max_depth: 12,
+            spp: 64,
+        }
+    }
+}
+
+/// A pinhole camera.
+#[derive(Clone, Debug, serde::Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Camera {
+    /// Where it is.
+    pub from: Triple,
+    /// A point it looks at.
+    pub to: Triple,
+    /// A direction that is up in the picture.
+    #[serde(default = "up")]
+    pub up: Triple,
+    /// Full angle across the image height, in degrees.
+    pub fov: f64,
+}
+
+fn up() -> Triple {
+    [0.0, 1.0, 0.0]
+}
+
+/// The film.
+#[derive(Clone, Debug, serde::Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Film {
+    /// Width and height in pixels.
+    pub size: [i64; 2],
+}
+
+impl Default for Film {
+    fn default() -> Self {
+        Film { size: [256, 256] }
+    }
+}
+
+/// A material: exactly one of its kinds.
+#[derive(Clone, Debug, serde::Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Material {
+    /// Ideal diffuse reflection.
+    pub lambert: Option<Lambert>,
+    /// A perfect mirror.
+    pub mirror: Option<Mirror>,
+    /// A smooth transparent medium.
+    pub glass: Option<Glass>,
+}
+
+/// Ideal diffuse reflection.
+#[derive(Clone, Debug, serde::Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Lambert {
+    /// Share of light reflected.
+    pub albedo: Color,
+}
+
+/// A perfect mirror.
+#[derive(Clone, Debug, serde::Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Mirror {
+    /// Share of light reflected.
+    pub reflectance: Color,
+}
+
+/// A smooth transparent medium.
+#[derive(Clone, Debug, serde::Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Glass {
+    /// Index of refraction behind the surface.
+    pub ior: f64,
+}
+
+/// Something with a surface: a material, an emission or both, and exactly one shape.
+#[derive(Clone, Debug, serde::Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Object {
+    /// The name of a material; without one the surface absorbs everything.
+    pub material: Option<String>,
+    /// Radiance emitted on the front side.
+    pub emits: Option<Color>,
+    /// Where the shape is put.
+    pub transform: Option<Transform>,
+    /// A sphere.
+    pub sphere: Option<Sphere>,
+    /// A parallelogram.
+    pub quad: Option<Quad>,
+    /// A triangle.
+    pub triangle: Option<Triangle>,
+    /// Six quads.
+    #[serde(rename = "box")]
+    pub cuboid: Option<Cuboid>,
+    /// A mesh from a file.
+    pub mesh: Option<MeshFile>,
+    /// A mesh from a formula.
+    pub bumpy_sphere: Option<BumpySphere>,
+}
+
+/// Scale first, then rotation, then translation.
+#[derive(Clone, Debug, Default, serde::Deserialize)]
+#[serde(default, deny_unknown_fields)]
+pub struct Transform {
+    /// One factor, or one for each axis.
+    pub scale: Option<Color>,
+    /// A rotation about an axis through the origin.
+    pub rotate: Option<Rotation>,
+    /// A shift.
+    pub translate: Option<Triple>,
+}
+
+/// A rotation about an axis through the origin, counter-clockwise seen from the axis' tip.
+#[derive(Clone, Debug, serde::Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Rotation {
+    /// The axis.
+    pub axis: Triple,
+    /// The angle.
+    pub degrees: f64,
+}
+
+/// A sphere.
+#[derive(Clone, Debug, serde::Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Sphere {
+    /// Centre.
+    pub center: Triple,
+    /// Radius.
+    pub radius: f64,
+}
+
+/// The parallelogram `corner + s u + t v`; it faces along `u × v`.
+#[derive(Clone, Debug, serde::Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Quad {
+    /// A corner.
+    pub corner: Triple,
+    /// An edge from the corner.
+    pub u: Triple,
+    /// The other edge from the corner.
+    pub v: Triple,
+}
+
+/// A triangle; it faces the side from which `a`, `b`, `c` run counter-clockwise.
+#[derive(Clone, Debug, serde::Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Triangle {
+    /// First corner.
+    pub a: Triple,
+    /// Second corner.
+    pub b: Triple,
+    /// Third corner.
+    pub c: Triple,
+}
+
+/// An axis-aligned box, facing outwards.
+#[derive(Clone, Debug, serde::Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Cuboid {
+    /// The corner with the smallest coordinates.
+    pub min: Triple,
+    /// The corner with the largest.
+    pub max: Triple,
+}
+
+/// A mesh in a file.
+#[derive(Clone, Debug, serde::Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct MeshFile {
+    /// `.ply` or `.obj`, relative to the scene file.
+    pub file: PathBuf,
+}
+
+/// A sphere with bumps, as triangles.
+#[derive(Clone, Debug, serde::Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct BumpySphere {
+    /// Centre.
+    pub center: Triple,
+    /// Mean radius.
+    pub radius: f64,
+    /// Columns round the vertical axis.
+    pub columns: i64,
+    /// Rows from pole to pole.
+    pub rows: i64,
+}
+
+/// A light without a surface: exactly one of its kinds.
+#[derive(Clone, Debug, serde::Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Light {
+    /// A point.
+    pub point: Option<PointLight>,
+    /// A direction.
+    pub directional: Option<DirectionalLight>,
+}
+
+/// A point that shines the same everywhere.
+#[derive(Clone, Debug, serde::Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct PointLight {
+    /// Where it is.
+    pub position: Triple,
+    /// In W/sr.
+    pub intensity: Color,
+}
+
+/// Parallel light.
+#[derive(Clone, Debug, serde::Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct DirectionalLight {
+    /// Where the light goes.
+    pub direction: Triple,
+    /// Irradiance of a surface that faces the light, in W/m².
+    pub irradiance: Color,
+}
+
+/// Three channels, written `[r, g, b]` or as one number for all three.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Color(pub Triple);
+
+impl<'de> Deserialize<'de> for Color {
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        struct NumberOrThree;
+
+        impl<'de> Visitor<'de> for NumberOrThree {
+            type Value = Color;
+
+            fn expecting(&self, f: &mut fmt::Formatter) -> fmt::Result {
+                f.write_str("three numbers in brackets, or one number for all three")
+            }
+
+            fn visit_f64<E: de::Error>(self, x: f64) -> Result<Color, E> {
+                Ok(Color([x; 3]))
+            }
+
+            fn visit_i64<E: de::Error>(self, x: i64) -> Result<Color, E> {
+                Ok(Color([x as f64; 3]))
+            }
+
+            fn visit_seq<A: SeqAccess<'de>>(self, mut seq: A) -> Result<Color, A::Error> {
+                let mut channels = [0.0; 3];
+                for (i, channel) in channels.iter_mut().enumerate() {
+                    *channel = seq
+                        .next_element()?
+                        .ok_or_else(|| de::Error::invalid_length(i, &self))?;
+                }
+                match seq.next_element::<f64>()? {
+                    None => Ok(Color(channels)),
+                    Some(_) => Err(de::Error::invalid_length(4, &self)),
+                }
+            }
+        }
+
+        deserializer.deserialize_any(NumberOrThree)
+    }
+}

@@ -1,0 +1,100 @@
+//! From a scene file to something rays can meet.
+//!
+//! [`read`] turns a file into a [`description`] (plain data, derived by serde), [`build`] checks
+//! it and makes a [`Scene`], [`gallery`] holds the scenes that come with the program, and
+//! [`tracer`] is the only way integrators look at a scene: it counts what they ask.
+
+pub mod build;
+pub mod description;
+pub mod field;
+pub mod gallery;
+mod mesh_file;
+mod procedural;
+pub mod read;
+pub mod tracer;
+
+pub use gallery::load;
+pub use read::SceneError;
+pub use tracer::{Hit, RayCounts, Tracer};
+
+use crate::camera::Camera;
+use crate::color::Rgb;
+use crate::geometry::Bvh;
+use crate::lights::Light;
+use crate::materials::Material;
+use std::time::Duration;
+
+/// A scene ready to be rendered.
+///
+/// Coordinates are relative to the camera: they are subtracted in `f64` when the scene is built,
+/// so that a scene far from the origin keeps its detail near the eye.
+#[derive(Clone, Debug)]
+pub struct Scene {
+    /// Its name.
+    pub name: String,
+    /// What it shows, in a sentence; may be empty.
+    pub about: String,
+    /// Where it is seen from.
+    pub camera: Camera,
+    /// Image width and height in pixels.
+    pub size: [u32; 2],
+    /// Radiance of rays that leave the scene.
+    pub background: Rgb,
+    /// Lights one can aim at, in the order of the file.
+    pub lights: Vec<Light>,
+    /// What the file suggests for a render.
+    pub suggested: Suggested,
+    /// What happened while the scene was built.
+    pub report: BuildReport,
+    objects: Vec<Object>,
+    /// For each shape of the hierarchy the object it belongs to.
+    object_of_shape: Vec<u32>,
+    bvh: Bvh,
+}
+
+/// What all points of an object have in common.
+#[derive(Clone, Copy, Debug)]
+pub struct Object {
+    /// What it is made of; `None` absorbs everything.
+    pub material: Option<Material>,
+    /// Radiance it emits on its front side; black for most.
+    pub emission: Rgb,
+}
+
+/// The settings a scene file suggests; the command line has the last word.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Suggested {
+    /// Longest path in segments, the camera ray first and the one that ends on the light last.
+    pub max_depth: u32,
+    /// Samples per pixel.
+    pub spp: u32,
+}
+
+/// What happened while a scene was built.
+#[derive(Clone, Debug, Default)]
+pub struct BuildReport {
+    /// Shapes in the hierarchy.
+    pub shapes: usize,
+    /// Triangles left out because they have no area.
+    pub degenerate_triangles: usize,
+    /// Time to read, check and build.
+    pub time: Duration,
+}
+
+impl Scene {
+    /// Width of the image over its height.
+    pub fn aspect(&self) -> f64 {
+        f64::from(self.size[0]) / f64::from(self.size[1])
+    }
+
+    /// The distance from the camera to the farthest corner of the box of everything; 0 for an
+    /// empty scene.
+    pub fn reach(&self) -> f32 {
+        let bounds = self.bvh.bounds();
+        if bounds.is_finite() {
+            bounds.min.abs().max(bounds.max.abs()).length()
+        } else {
+            0.0
+        }
+    }
+}

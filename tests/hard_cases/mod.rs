@@ -1,0 +1,27 @@
+//! Inputs on which plain code goes wrong, each with a plain twin that does.
+//!
+//! | Case | Test | Worst figure seen | The plain twin |
+//! |---|---|---|---|
+//! | A1 far, tiny spheres | `geometry::a01_*` | 0 misses, 0 false hits, \|Δt\| 0.41 ulp(D + r) | 29 199 misses, 64 930 false hits |
+//! | A2 huge sphere | `geometry::a02_*` | \|Δt\| 6.0e-8 | 0.40 |
+//! | A3 leaving spheres | `leaving::a03_*` | 0 of 2·10⁶ rays come back | 48 % do |
+//! | A4 offset, any proportions | `leaving::a04_*_of_triangles_*` | 0 of 10⁶ again, error 0.44 of its bound | |
+//! | A4 offset, far away | `leaving::a04_*_far_from_*` | 0 of 24·10⁶ again | at least 26 % |
+//! | A4 offset, 64 ulp gap | `leaving::a04_*_gap_*` | 0 of 1.2·10⁶ jump over | fixed 1e-3: half |
+//! | A4 offset, scaled | `leaving::a04_*_scales_*` | 74 308 crossings, all bits equal | |
+//! | A4 offset, shadow rays | `leaving::a04_*_shadow_*` | 0 of 598 003 end behind their lamp | 23 % |
+//! | A5 closed meshes | `watertight::a05_*_meshes_*` | 0 of 240 000 rays escape | 8 to 11 % at vertices and edges |
+//! | A5 rooms of quads | `watertight::a05_*_rooms_*` | 0 of 600 000 rays escape | |
+//! | A6 degenerate triangles | `geometry::a06_*` | 0 of 10⁵ hit, normals unit to 4.2e-8 | 10 829 hit |
+//! | A8 boxes | `watertight::a08_*` | 0 lost, entry / t at most 1 | 192 of 216 in faces, 16 % at corners |
+//! | A9 hierarchies | `hierarchy::a09_*` | all bits as the plain loop | |
+//! | A12 ties | `hierarchy::a12_*` | always the lowest id | |
+//! | A16 invalid rays | `geometry::a16_*` | 0 of 10⁴ hit | |
+//! | A20 ends of uniforms | `warps::a20_*` | lowest cosine 2.4e-4, unit to 7.8e-8 | |
+
+mod draw;
+mod geometry;
+mod hierarchy;
+mod leaving;
+mod naive;
+mod watertight;
