@@ -20,6 +20,20 @@ pub struct Ledger {
     pub gain: String,
 }
 
+impl Ledger {
+    /// An empty line with its sentence; seconds are filled in when the chapter ends.
+    pub fn of(gain: &str) -> Self {
+        Ledger {
+            rays: 0,
+            seconds: 0.0,
+            variance: None,
+            bias_in_errors: None,
+            efficiency: None,
+            gain: gain.to_owned(),
+        }
+    }
+}
+
 impl fmt::Display for Ledger {
     fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
         write!(f, "{} rays, {:.2} s", self.rays, self.seconds)?;

@@ -1,10 +1,69 @@
-//! tmp
+//! # halfdisk
+//!
+//! Light transport by running it: from Whitted's ray tracing through a sampler in the half disk of
+//! a flat world to full path tracing, every step a program to run, a page to read, a picture to
+//! compare, a number to check and a curve to plot.
+//!
+//! ```no_run
+//! use halfdisk::integrators::Whitted;
+//! use halfdisk::render::{Options, render};
+//! use halfdisk::scene::gallery;
+//!
+//! let scene = gallery::load("spheres")?;
+//! let picture = render(&scene, &Whitted { max_depth: 8 }, &Options::default(), &());
+//! let (mean, error) = picture.film.mean();
+//! println!("{mean:.4} ± {error:.4}");
+//! # Ok::<(), halfdisk::scene::SceneError>(())
+//! ```
+//!
+//! ## Reading order
+//!
+//! Each module uses only modules above it in this list; a test keeps it so.
+//!
+//! 1. [`numeric`]: care for floating point; [`color`]: a radiometric triple
+//! 2. [`sampling`]: random numbers and what they are bent into; [`stats`]: estimates with errors
+//! 3. [`geometry`]: rays, shapes, the hierarchy that finds the first hit
+//! 4. [`materials`], [`lights`], [`camera`]
+//! 5. [`scene`]: from a file to something rays can meet
+//! 6. [`integrators`]: the stages of the algorithm, side by side
+//! 7. [`render`]: the pixel loop and the film; [`output`]: pictures as files
+//! 8. [`estimators`]: smaller questions than a picture
+//! 9. [`experiment`]: repeated runs that end in data
+//! 10. [`chart`]: curves, trees and ray drawings; [`ledger`]: what a run cost and gained;
+//!     [`desk`]: what every chapter shares
+//! 11. [`cli`]: the command
+//!
+//! ## Vocabulary
+//!
+//! | symbol | is |
+//! |---|---|
+//! | `wo` | unit direction towards the eye, leaving the surface |
+//! | `wi` | unit direction towards the light, leaving the surface |
+//! | `n` | unit normal of a surface, on its front side |
+//! | `f` | BSDF in 1/sr, **without** the cosine |
+//! | `pdf` | probability density in 1/sr; `pdf_area` in 1/m² |
+//! | `li` | incoming radiance in W/(m² sr) |
+//! | `beta` | throughput: the product of `f cos / pdf` along a path so far |
+//! | `u` | uniforms in `[0, 1)`, multiples of 2^-24 |
+//! | `spp` | samples per pixel |
+//! | depth | path segments, the camera ray first, the one that ends on the light last |
+//!
+//! Light paths are words in Heckbert's letters: `L` light, `D` diffuse, `S` specular, `E` eye.
+//!
+//! ## Conventions
+//!
+//! The world is right-handed with y up; local frames have z along the normal. Lengths are in scene
+//! units, angles in radians (degrees in files). Colours are linear. Transport is `f32` with glam's
+//! scalar [`Vec3`](glam::Vec3); every sum over samples is `f64`, in a fixed order for each pixel,
+//! so a picture is the same bytes on any number of threads.
+
 pub mod camera;
 pub mod chart;
 pub mod cli;
 pub mod color;
 pub mod desk;
 pub mod estimators;
+pub mod experiment;
 pub mod geometry;
 pub mod integrators;
 pub mod ledger;

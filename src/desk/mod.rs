@@ -13,8 +13,9 @@ pub use record::{Figure, Number, Record};
 
 use crate::chart::ChartError;
 use crate::ledger::Ledger;
-use crate::output::OutputError;
-use crate::scene::SceneError;
+use crate::output::{Display, OutputError, Provenance, png_bytes};
+use crate::render::Film;
+use crate::scene::{Scene, SceneError};
 use crate::stats::Estimate;
 use clap::Parser;
 use std::path::PathBuf;
@@ -154,6 +155,16 @@ impl Desk {
         self.record.numbers.insert(name.to_owned(), number);
     }
 
+    /// Records a value.
+    pub fn value(&mut self, name: &str, says: &str, value: f64) {
+        self.number(name, Number::new(says, value));
+    }
+
+    /// Records a value beside what theory says it is.
+    pub fn known(&mut self, name: &str, says: &str, value: f64, exact: f64) {
+        self.number(name, Number::new(says, value).exact(exact));
+    }
+
     /// Records an estimate with its error and, where it is known, the truth.
     pub fn estimate(&mut self, name: &str, says: &str, estimate: &Estimate, exact: Option<f64>) {
         let number = Number {
@@ -178,6 +189,21 @@ impl Desk {
             caption: caption.to_owned(),
         });
         Ok(())
+    }
+
+    /// Writes a picture of `scene` as PNG and records it.
+    pub fn picture(
+        &mut self,
+        file: &str,
+        caption: &str,
+        film: &Film,
+        scene: &Scene,
+    ) -> Result<(), DeskError> {
+        let spp = film.pixels().first().map_or(0, |p| p.count());
+        let depth = scene.suggested.max_depth;
+        let facts = Provenance::new(scene, &self.record.chapter, depth, spp, self.options.seed);
+        let png = png_bytes(film, Display::Radiance, &facts)?;
+        self.figure(file, caption, png)
     }
 
     /// A progress bar for a render of this chapter.

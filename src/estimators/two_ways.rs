@@ -8,12 +8,12 @@
 
 use crate::color::Rgb;
 use crate::geometry::Ray;
-use crate::lights::SphereLight;
+use crate::lights::{Light, SphereLight};
 use crate::render::{Film, Pixel};
 use crate::sampling::frame::Frame;
 use crate::sampling::stream::{Purpose, Stream};
 use crate::sampling::{hemisphere, warps};
-use crate::scene::{Hit, Scene, Tracer};
+use crate::scene::{Hit, Scene, SceneError, Tracer};
 use crate::stats::Estimate;
 use rayon::prelude::*;
 use std::f32::consts::PI;
@@ -40,7 +40,28 @@ pub struct Traced {
     pub useful: u64,
 }
 
-impl TwoWays<'_> {
+impl<'a> TwoWays<'a> {
+    /// The view of a scene whose first round lamp gives the light.
+    pub fn new(scene: &'a Scene, pupil: f32) -> Result<Self, SceneError> {
+        let lamp = scene.lights.iter().find_map(|light| match light {
+            Light::Sphere(lamp) => Some(*lamp),
+            _ => None,
+        });
+        let lamp = lamp.ok_or_else(|| SceneError::File {
+            file: scene.name.clone(),
+            reason: "has no sphere that emits light".to_owned(),
+        })?;
+        Ok(TwoWays { scene, lamp, pupil })
+    }
+
+    /// The picture from `count` rays of the lamp, and from the eye with as many rays traced.
+    pub fn both(&self, count: u32, seed: u64) -> [Traced; 2] {
+        let light = self.from_light(count, seed);
+        let [width, height] = self.scene.size.map(u64::from);
+        let spp = light.rays / (2 * width * height);
+        [light, self.from_eye(spp.max(1) as u32, seed)]
+    }
+
     // ANCHOR: from_light
     /// The picture from the light: `count` rays leave the lamp, and those that enter the pupil,
     /// straight or after one bounce, count.

@@ -9,7 +9,7 @@ mod whitted;
 
 pub use tree::{Met, RayKind, RecordedRay, TreeCount, TreeRay, TreeRecord, Watch};
 pub use views::{Albedo, Depth, Normals};
-pub use whitted::Whitted;
+pub use whitted::{Whitted, direct_light};
 
 use crate::color::Rgb;
 use crate::geometry::Ray;

@@ -105,8 +105,9 @@ impl Integrator for Whitted {
 }
 
 // ANCHOR: direct_light
-/// The light of all lamps that the surface scatters diffusely back along `ray`.
-fn direct_light(tracer: &mut Tracer, ray: &Ray, hit: &Hit, node: u64, stream: &Stream) -> Rgb {
+/// The light of all lamps that the surface scatters diffusely back along `ray`; `node` is the
+/// place in the tree whose random numbers choose the points on the lamps.
+pub fn direct_light(tracer: &mut Tracer, ray: &Ray, hit: &Hit, node: u64, stream: &Stream) -> Rgb {
     let Some(material) = hit.object.material else {
         return Rgb::BLACK;
     };

@@ -2,13 +2,14 @@
 
 use super::description::{self as said, Description};
 use super::field::{self, Checked, Field, exactly_one};
+use super::placement::Placement;
 use super::{BuildReport, Object, Scene, Suggested, mesh_file, procedural};
 use crate::camera::Camera;
 use crate::color::Rgb;
 use crate::geometry::{Bvh, Mesh, Quad, Shape, Sphere};
 use crate::lights::{DirectionalLight, Light, PointLight, QuadLight, SphereLight};
 use crate::materials::{Glass, Lambert, Material, Mirror};
-use glam::{DMat3, DVec3, Vec3};
+use glam::{DVec3, Vec3};
 use std::collections::BTreeMap;
 use std::path::Path;
 use std::time::Duration;
@@ -374,70 +375,4 @@ impl Parts<'_> {
         self.degenerate_triangles += count.degenerate;
         triangles.into_iter().map(Shape::Triangle).collect()
     }
-}
-
-/// Where a shape is put: scaled, then rotated, then shifted, all in `f64`.
-struct Placement {
-    linear: DMat3,
-    scale: DVec3,
-    shift: DVec3,
-}
-
-impl Placement {
-    fn new(field: &Field, said: Option<&said::Transform>) -> Checked<Self> {
-        let said = said.cloned().unwrap_or_default();
-        let scale_field = field.key("scale");
-        let scale = match said.scale {
-            Some(said::Color(factors)) => field::vector(&scale_field, factors)?,
-            None => DVec3::ONE,
-        };
-        if scale.cmpeq(DVec3::ZERO).any() {
-            let what = "must not be 0 along any axis: the shape would have no volume left";
-            return Err(scale_field.problem(what));
-        }
-        let rotation = match &said.rotate {
-            Some(r) => {
-                let field = field.key("rotate");
-                let axis = field::direction(&field.key("axis"), r.axis)?;
-                let degrees = field::finite(&field.key("degrees"), r.degrees)?;
-                rotation(axis, degrees.to_radians())
-            }
-            None => DMat3::IDENTITY,
-        };
-        let shift = match said.translate {
-            Some(t) => field::vector(&field.key("translate"), t)?,
-            None => DVec3::ZERO,
-        };
-        Ok(Placement {
-            linear: rotation * DMat3::from_diagonal(scale),
-            scale,
-            shift,
-        })
-    }
-
-    fn vector(&self, v: DVec3) -> DVec3 {
-        self.linear * v
-    }
-
-    fn point(&self, p: DVec3) -> DVec3 {
-        self.linear * p + self.shift
-    }
-
-    /// True where front and back change places.
-    fn mirrors(&self) -> bool {
-        self.scale.x * self.scale.y * self.scale.z < 0.0
-    }
-
-    /// The factor all lengths change by, if it is one.
-    fn uniform_scale(&self) -> Option<f64> {
-        let s = self.scale.abs();
-        (s.x == s.y && s.y == s.z).then_some(s.x)
-    }
-}
-
-/// The rotation about a unit axis (Rodrigues 1840), with sines that are the same everywhere.
-fn rotation(axis: DVec3, angle: f64) -> DMat3 {
-    let (sin, cos) = libm::sincos(angle);
-    let turn = |v: DVec3| v * cos + axis.cross(v) * sin + axis * (axis.dot(v) * (1.0 - cos));
-    DMat3::from_cols(turn(DVec3::X), turn(DVec3::Y), turn(DVec3::Z))
 }

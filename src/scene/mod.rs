@@ -9,6 +9,7 @@ pub mod description;
 pub mod field;
 pub mod gallery;
 mod mesh_file;
+mod placement;
 mod procedural;
 pub mod read;
 pub mod tracer;

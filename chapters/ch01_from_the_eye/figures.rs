@@ -1,14 +1,16 @@
-//! The two directions, drawn in the flat world: a lamp, a wall, and an eye behind a slit.
+//! The figures of this chapter: the two directions drawn in the flat world, the pictures, the
+//! chart.
 
-use halfdisk::chart::{Bounds, ChartError, Dot, Label, RayDrawing, Stroke, StrokeKind};
+use halfdisk::chart::{
+    Axis, Bounds, ChartError, Curve, CurveChart, Dot, Label, RayDrawing, Stroke, StrokeKind, Style,
+};
+use halfdisk::desk::{Desk, DeskError};
+use halfdisk::estimators::two_ways::Traced;
+use halfdisk::experiment::price::{Measured, Prices};
 use halfdisk::numeric::sin_cos;
 use halfdisk::sampling::stream::{Purpose, Stream};
+use halfdisk::scene::Scene;
 use std::f32::consts::{PI, TAU};
-
-pub const FROM_LIGHT: &str = "Three hundred rays leave the lamp and bounce once at the wall. Those \
-    that enter the slit are drawn bold.";
-pub const FROM_EYE: &str = "Rays from the eye: each meets the wall, and a line leads from there to \
-    the lamp. None is lost.";
 
 const LAMP: [f32; 2] = [-0.6, 0.9];
 const WALL: f32 = -2.0;
@@ -16,8 +18,59 @@ const EYE: f32 = 2.0;
 const HALF_SLIT: f32 = 0.2;
 const VIEW: [f32; 2] = [2.4, 1.5];
 
+/// Both directions, drawn.
+pub fn drawings(desk: &mut Desk) -> Result<(), DeskError> {
+    let seed = desk.options.seed;
+    desk.figure(
+        "from_light.svg",
+        "Three hundred rays leave the lamp and bounce once at the wall. Those that enter the slit \
+         are drawn bold.",
+        from_light(seed)?,
+    )?;
+    desk.figure(
+        "from_eye.svg",
+        "Rays from the eye: each meets the wall, and a line leads from there to the lamp. None is \
+         lost.",
+        from_eye()?,
+    )
+}
+
+/// Both pictures.
+pub fn pictures(
+    desk: &mut Desk,
+    scene: &Scene,
+    [light, eye]: &[Traced; 2],
+) -> Result<(), DeskError> {
+    let caption = "From the light: few of its rays find the eye, so the picture is noise.";
+    desk.picture("light.png", caption, &light.film, scene)?;
+    let caption = "From the eye, with as many rays: every one of them counts.";
+    desk.picture("image.png", caption, &eye.film, scene)
+}
+
+/// The error of both ways against the number of rays.
+pub fn chart(desk: &mut Desk, prices: &Prices) -> Result<(), DeskError> {
+    let curve = |name: &str, measured: &[Measured]| {
+        let points = measured.iter();
+        let points = points.map(|m| (m.rays as f64, m.error.mean(), m.error.std_error()));
+        Curve::measured(name, Style::MarksAndLine, points)
+    };
+    let chart = CurveChart {
+        title: "The same picture both ways".to_owned(),
+        x_label: "rays traced".to_owned(),
+        y_label: "root mean square error of a pixel, W/(m² sr)".to_owned(),
+        x_axis: Axis::Log,
+        y_axis: Axis::Log,
+        curves: vec![
+            curve("from the light", &prices.light),
+            curve("from the eye", &prices.eye),
+        ],
+    };
+    let caption = "Both ways end at the same picture; from the light it takes many more rays.";
+    desk.figure("chart.svg", caption, chart.to_svg()?)
+}
+
 /// Rays from the lamp, straight or by the wall, until they leave the view or enter the slit.
-pub fn from_light(seed: u64) -> Result<String, ChartError> {
+fn from_light(seed: u64) -> Result<String, ChartError> {
     let mut strokes = frame();
     for i in 0..300 {
         let mut u = Stream::new(seed, i, 0).at(0, Purpose::Emission);
@@ -41,7 +94,7 @@ pub fn from_light(seed: u64) -> Result<String, ChartError> {
 }
 
 /// Rays from the eye through the slit to the wall, and on to the lamp.
-pub fn from_eye() -> Result<String, ChartError> {
+fn from_eye() -> Result<String, ChartError> {
     let eye = [EYE, 0.0];
     let mut strokes = frame();
     for i in 0..24 {

@@ -1,0 +1,3 @@
+//! Repeated runs that end in data.
+
+pub mod price;

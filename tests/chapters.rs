@@ -1,0 +1,112 @@
+//! Snapshots of each chapter's quick run: its data, its pictures as numbers to read, its pictures
+//! and charts as files.
+//!
+//! To review a change: run `cargo insta review` (or look at the `.snap.new` files), and open both
+//! pictures of a changed one.
+
+use serde_json::Value;
+use std::fs;
+use std::path::Path;
+use std::process::Command;
+
+/// A chapter's program, run quickly into a folder of its own.
+fn run(program: &str, id: &str) -> (tempfile::TempDir, Value) {
+    let folder = tempfile::tempdir().unwrap();
+    let output = Command::new(program)
+        .args(["--quick", "--out"])
+        .arg(folder.path())
+        .output()
+        .unwrap();
+    let errors = String::from_utf8_lossy(&output.stderr);
+    assert!(output.status.success(), "{id}: {errors}");
+    let text = fs::read_to_string(folder.path().join(id).join("data.json")).unwrap();
+    let mut data: Value = serde_json::from_str(&text).unwrap();
+    data["ledger"]["seconds"] = Value::from("masked");
+    round(&mut data);
+    (folder, data)
+}
+
+/// Nine significant digits: enough to notice any change, few enough to read.
+fn round(value: &mut Value) {
+    match value {
+        Value::Number(number) if number.is_f64() => {
+            let rounded = format!("{:.8e}", number.as_f64().unwrap());
+            *value = Value::from(rounded.parse::<f64>().unwrap());
+        }
+        Value::Array(items) => items.iter_mut().for_each(round),
+        Value::Object(fields) => fields.values_mut().for_each(round),
+        _ => {}
+    }
+}
+
+/// A picture as 32 x 18 luminances from 0 to 99: a change shows where it is.
+fn grid(path: &Path) -> String {
+    let picture = image::open(path).unwrap();
+    let small = picture
+        .resize_exact(32, 18, image::imageops::FilterType::Triangle)
+        .to_luma8();
+    let rows = small.rows().map(|row| {
+        let levels = row.map(|p| format!("{:02}", u32::from(p.0[0]) * 99 / 255));
+        levels.collect::<Vec<_>>().join(" ")
+    });
+    rows.collect::<Vec<_>>().join("\n")
+}
+
+/// Compares everything a chapter made with what it made before.
+fn check(program: &str, id: &str) -> Value {
+    let (folder, data) = run(program, id);
+    let folder = folder.path().join(id);
+    insta::assert_json_snapshot!(format!("{id}-data"), data);
+    for figure in data["figures"].as_array().unwrap() {
+        let file = figure["file"].as_str().unwrap();
+        let path = folder.join(file);
+        let (stem, ending) = file.split_once('.').unwrap();
+        let name = format!("{id}-{stem}");
+        if ending == "png" {
+            insta::assert_snapshot!(format!("{name}-grid"), grid(&path));
+        }
+        insta::assert_binary_snapshot!(&format!("{name}.{ending}"), fs::read(&path).unwrap());
+    }
+    data
+}
+
+fn number(data: &Value, name: &str, part: &str) -> f64 {
+    data["numbers"][name][part].as_f64().unwrap()
+}
+
+#[test]
+fn ch01_from_the_eye() {
+    let data = check(env!("CARGO_BIN_EXE_ch01-from-the-eye"), "ch01");
+    for name in ["slit", "slit_doubled", "disc", "disc_doubled"] {
+        let [value, exact, error] = ["value", "exact", "error"].map(|p| number(&data, name, p));
+        let z = (value - exact) / error;
+        assert!(z.abs() <= 4.0, "{name}: {value} for {exact}, z = {z}");
+        // Three in space for two in the plane: a count of the other would not pass.
+        assert!(
+            error < 0.04 * exact,
+            "{name}: the error {error} must tell apart"
+        );
+    }
+    assert_eq!(number(&data, "slit_pinhole", "value"), 0.0);
+    assert_eq!(number(&data, "disc_pinhole", "value"), 0.0);
+    assert!(
+        number(&data, "price", "value") > 3.0,
+        "from the eye is cheaper"
+    );
+}
+
+#[test]
+fn ch02_whitteds_tree() {
+    let data = check(env!("CARGO_BIN_EXE_ch02-whitteds-tree"), "ch02");
+    for depth in 1..=14 {
+        let rays = number(&data, &format!("rays_{depth}"), "value");
+        assert_eq!(rays, f64::from((1 << depth) - 1), "1, 3, 7, 15 …");
+        let weight = number(&data, &format!("weight_{depth}"), "value");
+        assert!((weight - 1.0).abs() <= 1e-12, "depth {depth}: {weight}");
+    }
+    for name in ["slab_through", "slab_back"] {
+        let difference = number(&data, name, "value") - number(&data, name, "exact");
+        assert!(difference.abs() <= 1e-6, "{name}: {difference:e}");
+    }
+    assert!(number(&data, "tunnel_error", "value") <= 1e-6);
+}
