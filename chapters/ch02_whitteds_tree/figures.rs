@@ -25,8 +25,8 @@ pub fn one_tree(desk: &mut Desk, record: &TreeRecord) -> Result<(), DeskError> {
     let caption = "The ray tree of one pixel at the edge of the glass sphere. The weights say how \
                    much of a ray's light reaches the eye.";
     desk.figure("tree.svg", caption, tree(record)?)?;
-    let caption = "The same rays from above: the eye is at the bottom, the circles are the three \
-                   spheres.";
+    let caption = "The same rays from above: the one from the eye enters at the bottom, the circles \
+                   are the three spheres.";
     desk.figure("plan.svg", caption, plan(record)?)
 }
 
@@ -151,8 +151,8 @@ fn plan(record: &TreeRecord) -> Result<String, ChartError> {
     RayDrawing {
         title: "The same rays from above".to_owned(),
         view: Bounds {
-            min: [-4.5, -0.3],
-            max: [4.5, 11.0],
+            min: [-3.6, 4.2],
+            max: [3.2, 10.2],
         },
         strokes,
         circles,
