@@ -177,7 +177,7 @@ fn the_picture_from_the_light_is_the_picture_from_the_eye() {
     let mut scene = gallery::load("lamp").unwrap();
     scene.size = [4, 3];
     let view = TwoWays::new(&scene, 0.5).unwrap();
-    let [light, eye] = view.both(2_000_000, 5);
+    let [light, eye] = view.both(160_000, 5);
     let z = compare::z_scores(&light.film, &eye.film);
     assert!(z.largest <= 4.4, "{z:?}");
     let ((a, error_a), (b, error_b)) = (light.film.mean(), eye.film.mean());

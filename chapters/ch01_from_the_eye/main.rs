@@ -52,14 +52,14 @@ fn work(desk: &mut Desk) -> Result<Ledger, DeskError> {
     // The same view both ways, with the same number of rays: first few, then many.
     let scene = gallery::load("lamp")?;
     let view = TwoWays::new(&scene, 0.5)?;
-    let pictures = view.both(150_000, seed);
+    let pictures = view.both(desk.spp(800, 800), seed);
     desk.value(
         "picture_rays",
         "rays traced for each picture",
         pictures[0].rays as f64,
     );
     figures::pictures(desk, &scene, &pictures)?;
-    let [light, eye] = view.both(desk.choose(16_000_000, 2_000_000), seed);
+    let [light, eye] = view.both(desk.choose(80_000, 10_000), seed);
     let wasted = (light.rays - light.useful) as f64 / light.useful as f64;
     desk.value(
         "useful",

@@ -89,7 +89,9 @@ impl Tour {
         let output = command
             .output()
             .map_err(|e| Stop::Failure(format!("{} cannot be started: {e}", program.display())))?;
-        if output.status.code() == Some(i32::from(INTERRUPTED)) {
+        // Ctrl-C reaches the chapter too, which may end by the signal itself.
+        let interrupted = output.status.code() == Some(i32::from(INTERRUPTED));
+        if interrupted || on_ctrl_c().load(Ordering::Relaxed) {
             return Err(Stop::Interrupted);
         }
         if !output.status.success() {

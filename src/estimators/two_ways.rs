@@ -54,12 +54,13 @@ impl<'a> TwoWays<'a> {
         Ok(TwoWays { scene, lamp, pupil })
     }
 
-    /// The picture from `count` rays of the lamp, and from the eye with as many rays traced.
-    pub fn both(&self, count: u32, seed: u64) -> [Traced; 2] {
-        let light = self.from_light(count, seed);
-        let [width, height] = self.scene.size.map(u64::from);
-        let spp = light.rays / (2 * width * height);
-        [light, self.from_eye(spp.max(1) as u32, seed)]
+    /// The picture from `spp` rays of the lamp for each pixel there is, and from the eye with as
+    /// many rays traced.
+    pub fn both(&self, spp: u32, seed: u64) -> [Traced; 2] {
+        let [width, height] = self.scene.size;
+        let light = self.from_light(spp * width * height, seed);
+        let from_eye = light.rays / (2 * u64::from(width * height));
+        [light, self.from_eye(from_eye.max(1) as u32, seed)]
     }
 
     // ANCHOR: from_light
