@@ -2,7 +2,11 @@
 #![allow(clippy::unwrap_used, clippy::expect_used)]
 
 mod chapters;
+mod cli;
+mod determinism;
+mod film;
 mod hard_cases;
+mod mutations;
 mod tidy;
 mod truth;
 mod warps;

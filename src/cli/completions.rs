@@ -1,6 +1,6 @@
 //! `halfdisk completions`.
 
-use super::{Command, Stop};
+use super::{Command, Stop, answer};
 use clap::{Args, CommandFactory};
 use clap_complete::Shell;
 
@@ -14,7 +14,8 @@ pub struct Completions {
 impl Completions {
     pub(super) fn run(self) -> Result<(), Stop> {
         let mut command = Command::command();
-        clap_complete::generate(self.shell, &mut command, "halfdisk", &mut std::io::stdout());
-        Ok(())
+        let mut script = Vec::new();
+        clap_complete::generate(self.shell, &mut command, "halfdisk", &mut script);
+        answer(&String::from_utf8_lossy(&script))
     }
 }

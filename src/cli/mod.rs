@@ -14,6 +14,7 @@ use crate::desk::INTERRUPTED;
 use crate::output::OutputError;
 use crate::scene::SceneError;
 use clap::{Parser, Subcommand};
+use std::io::{ErrorKind, Write};
 use std::process::ExitCode;
 
 /// Light transport by running it: from Whitted ray tracing to path tracing, step by step
@@ -77,6 +78,14 @@ enum Stop {
     Failure(String),
     /// Ctrl-C: exit code 130.
     Interrupted,
+}
+
+/// Writes a result to stdout; a reader who has seen enough and left is no failure.
+fn answer(text: &str) -> Result<(), Stop> {
+    match std::io::stdout().write_all(text.as_bytes()) {
+        Err(e) if e.kind() == ErrorKind::BrokenPipe => Ok(()),
+        result => result.map_err(Stop::from),
+    }
 }
 
 impl From<SceneError> for Stop {

@@ -1,11 +1,11 @@
 //! `halfdisk render`.
 
-use super::Stop;
+use super::{Stop, answer};
 use crate::desk::{Bar, on_ctrl_c};
 use crate::integrators::{Albedo, Depth, Integrator, Normals, Whitted};
 use crate::output::{self, Display, Format, OutputError, Provenance};
 use crate::render::{self, Options, Rendered};
-use crate::scene::{Scene, gallery};
+use crate::scene::{Scene, build::film_size, field::Field, gallery};
 use clap::{Args, ValueEnum};
 use serde_json::json;
 use std::path::{Path, PathBuf};
@@ -60,11 +60,12 @@ enum Method {
 }
 
 fn size(text: &str) -> Result<[u32; 2], String> {
-    let parsed = text.split_once(['x', 'X']).and_then(|(width, height)| {
-        let side = |s: &str| s.parse::<u32>().ok().filter(|n| *n > 0);
-        Some([side(width)?, side(height)?])
-    });
-    parsed.ok_or_else(|| "a size is two whole numbers above 0, such as 640x480".to_owned())
+    let (width, height) = text.split_once(['x', 'X']).unwrap_or_default();
+    let (Ok(width), Ok(height)) = (width.parse(), height.parse()) else {
+        return Err("a size is two whole numbers, such as 640x480".to_owned());
+    };
+    // The same bounds as for a scene file, but it is not the file that is wrong here.
+    film_size(&Field::top(), [width, height]).map_err(|problem| problem.what)
 }
 
 impl Render {
@@ -112,7 +113,7 @@ impl Render {
         }
         if self.json {
             let object = as_json(&scene, &facts, &rendered, &path);
-            println!("{}", serde_json::to_string_pretty(&object)?);
+            answer(&(serde_json::to_string_pretty(&object)? + "\n"))?;
         }
         if rendered.interrupted {
             return Err(Stop::Interrupted);
@@ -245,6 +246,6 @@ fn as_json(
         "non_finite": rendered.non_finite,
         "first_non_finite": rendered.first_bad,
         "interrupted": rendered.interrupted,
-        "out": path,
+        "out": path.display().to_string(),
     })
 }

@@ -1,8 +1,8 @@
 //! `halfdisk scenes`.
 
-use super::Stop;
-use crate::scene::SceneError;
+use super::{Stop, answer};
 use crate::scene::gallery::{self, GALLERY};
+use crate::scene::{Scene, SceneError};
 use clap::Args;
 use serde_json::json;
 
@@ -21,8 +21,7 @@ impl Scenes {
     pub(super) fn run(self) -> Result<(), Stop> {
         if let Some(name) = self.show {
             let text = gallery::text(&name).ok_or_else(|| gallery::unknown(&name))?;
-            print!("{text}");
-            return Ok(());
+            return answer(text);
         }
         let scenes = GALLERY
             .iter()
@@ -43,12 +42,10 @@ impl Scenes {
                     })
                 })
                 .collect();
-            println!("{}", serde_json::to_string_pretty(&list)?);
+            answer(&(serde_json::to_string_pretty(&list)? + "\n"))
         } else {
-            for scene in scenes {
-                println!("{:<10} {}", scene.name, scene.about);
-            }
+            let line = |s: &Scene| format!("{:<10} {}\n", s.name, s.about);
+            answer(&scenes.iter().map(line).collect::<String>())
         }
-        Ok(())
     }
 }

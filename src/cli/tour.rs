@@ -1,6 +1,6 @@
 //! `halfdisk tour`.
 
-use super::{Stop, page};
+use super::{Stop, answer, page};
 use crate::desk::{INTERRUPTED, Record, on_ctrl_c};
 use clap::Args;
 use std::path::{Path, PathBuf};
@@ -54,12 +54,12 @@ impl Tour {
             }
             let record = self.run_chapter(&folder, id, program)?;
             let ledger = record.ledger.map(|l| l.to_string()).unwrap_or_default();
-            println!(
-                "[{}/{}] {id} {}: {ledger}",
+            answer(&format!(
+                "[{}/{}] {id} {}: {ledger}\n",
                 at + 1,
                 chosen.len(),
                 record.title
-            );
+            ))?;
         }
         // The page shows every chapter that has results, also from an earlier run.
         let mut records = Vec::new();
@@ -69,7 +69,8 @@ impl Tour {
             }
         }
         let index = self.out.join("index.html");
-        std::fs::write(&index, page::html(&records)?)?;
+        std::fs::write(&index, page::html(&records)?)
+            .map_err(|e| Stop::Failure(format!("{}: {e}", index.display())))?;
         eprintln!(
             "open {} to see the pictures, the charts and the ledger",
             index.display()

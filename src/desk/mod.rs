@@ -18,6 +18,7 @@ use crate::render::Film;
 use crate::scene::{Scene, SceneError};
 use crate::stats::Estimate;
 use clap::Parser;
+use std::io::Write;
 use std::path::PathBuf;
 use std::process::ExitCode;
 use std::time::Instant;
@@ -121,8 +122,8 @@ impl Desk {
         std::fs::create_dir_all(&folder)
             .map_err(|e| DeskError::File(folder.display().to_string(), e))?;
         if !options.json {
-            println!("{}: {}", chapter.id, chapter.title);
-            println!("{}\n", chapter.question);
+            print_line(&format!("{}: {}", chapter.id, chapter.title));
+            print_line(&format!("{}\n", chapter.question));
         }
         Ok(Desk {
             record: Record::new(chapter, &options),
@@ -145,7 +146,7 @@ impl Desk {
     /// Says something that is not a number.
     pub fn say(&self, text: &str) {
         if !self.options.json {
-            println!("{text}");
+            print_line(text);
         }
     }
 
@@ -224,8 +225,13 @@ impl Desk {
         let text = serde_json::to_string_pretty(&self.record)
             .map_err(|e| file_error(std::io::Error::other(e)))?;
         if self.options.json {
-            println!("{text}");
+            print_line(&text);
         }
         std::fs::write(&path, text + "\n").map_err(file_error)
     }
+}
+
+/// Prints a line; nobody there to read it is no reason to stop, for the figures are still wanted.
+fn print_line(text: &str) {
+    let _ = writeln!(std::io::stdout(), "{text}");
 }

@@ -26,7 +26,7 @@ impl Quad {
         let cross = cross_product(corners);
         let length = cross.length();
         let area = (0.5 * length) as f32;
-        let proper = corners.iter().all(|c| c.is_finite()) && length > 0.0 && area.is_finite();
+        let proper = corners.iter().all(|c| c.is_finite()) && area > 0.0 && area.is_finite();
         proper.then(|| Quad {
             corners,
             normal: (cross / length).as_vec3(),

@@ -5,7 +5,7 @@ use crate::render::Film;
 use image::Rgb;
 use image::codecs::hdr::HdrEncoder;
 
-/// A film as an HDR file.
+/// A film as an HDR file. A pixel without a finite sample is black: the format has no NaN.
 pub fn bytes(film: &Film) -> Result<Vec<u8>, OutputError> {
     let pixels: Vec<Rgb<f32>> = film
         .pixels()

@@ -22,6 +22,9 @@ const MAX_SIDE: u32 = 65_536;
 /// Checks a description and builds its scene; meshes are looked for in `folder`.
 pub fn build(said: &Description, folder: Option<&Path>) -> Checked<Scene> {
     let top = Field::top();
+    if said.name.trim().is_empty() {
+        return Err(top.key("name").problem("must not be empty"));
+    }
     let size = film_size(&top.key("film").key("size"), said.film.size)?;
     let (origin, camera) = camera(&top.key("camera"), &said.camera, size)?;
     let render = top.key("render");
@@ -68,7 +71,8 @@ pub fn build(said: &Description, folder: Option<&Path>) -> Checked<Scene> {
     })
 }
 
-fn film_size(field: &Field, [width, height]: [i64; 2]) -> Checked<[u32; 2]> {
+/// Checks the size of an image.
+pub fn film_size(field: &Field, [width, height]: [i64; 2]) -> Checked<[u32; 2]> {
     let width = field::whole(&field.item(0), width, 1, MAX_SIDE)?;
     let height = field::whole(&field.item(1), height, 1, MAX_SIDE)?;
     if u64::from(width) * u64::from(height) > MAX_PIXELS {
@@ -91,7 +95,7 @@ fn camera(field: &Field, said: &said::Camera, [w, h]: [u32; 2]) -> Checked<(DVec
             said.fov
         )));
     }
-    if from == to {
+    if (to - from).try_normalize().is_none() {
         let what = "must be another point than `camera.from`: it gives the direction of view";
         return Err(field.key("to").problem(what));
     }
@@ -133,7 +137,7 @@ fn material(field: &Field, said: &said::Material) -> Checked<Material> {
         Ok(Material::Glass(Glass { ior }))
     });
     let kinds = vec![("lambert", lambert), ("mirror", mirror), ("glass", glass)];
-    exactly_one(field, "a kind of material", kinds)?
+    exactly_one(field, "kind of material", kinds)?
 }
 
 /// A scene while it is put together.
@@ -154,12 +158,22 @@ impl Parts<'_> {
         (p - self.origin).as_vec3()
     }
 
+    /// The same for a point that is worth nothing where `f32` cannot hold it.
+    fn within_reach(&self, field: &Field, p: DVec3) -> Checked<Vec3> {
+        let p = self.relative(p);
+        if p.is_finite() {
+            Ok(p)
+        } else {
+            Err(field.problem("must be at most 3.4e38 away from the camera"))
+        }
+    }
+
     fn add_light(&mut self, field: &Field, said: &said::Light) -> Checked<()> {
         let point = said.point.as_ref().map(|l| {
             let field = field.key("point");
-            let position = field::vector(&field.key("position"), l.position)?;
+            let at = field.key("position");
             Ok(Light::Point(PointLight {
-                position: self.relative(position),
+                position: self.within_reach(&at, field::vector(&at, l.position)?)?,
                 intensity: field::light(&field.key("intensity"), l.intensity)?,
             }))
         });
@@ -173,7 +187,7 @@ impl Parts<'_> {
         });
         let kinds = vec![("point", point), ("directional", directional)];
         self.lights
-            .push(exactly_one(field, "a kind of light", kinds)??);
+            .push(exactly_one(field, "kind of light", kinds)??);
         Ok(())
     }
 
@@ -220,9 +234,9 @@ impl Parts<'_> {
         self.materials.get(name).copied().ok_or_else(|| {
             let defined: Vec<&str> = self.materials.keys().map(String::as_str).collect();
             field.problem(if defined.is_empty() {
-                format!("names \"{name}\", but the file defines no materials")
+                format!("names {name:?}, but the file defines no materials")
             } else {
-                format!("names \"{name}\"; defined are {}", defined.join(", "))
+                format!("names {name:?}; defined are {}", defined.join(", "))
             })
         })
     }
@@ -257,7 +271,7 @@ impl Parts<'_> {
                 bumpy.map(|b| self.bumpy_sphere(&at("bumpy_sphere"), b, place)),
             ),
         ];
-        exactly_one(field, "a shape", kinds)?
+        exactly_one(field, "shape", kinds)?
     }
 
     fn sphere(&self, field: &Field, said: &said::Sphere, place: &Placement) -> Checked<Vec<Shape>> {
@@ -268,8 +282,12 @@ impl Parts<'_> {
             field.problem("cannot be scaled differently along different axes; use a mesh")
         })?;
         let radius = field::positive(&radius_field, radius * scale)? as f32;
-        let center = self.relative(place.point(center));
-        Ok(vec![Shape::Sphere(Sphere { center, radius })])
+        let center = self.within_reach(&field.key("center"), place.point(center))?;
+        let sphere = Sphere { center, radius };
+        if !sphere.bounds().is_finite() {
+            return Err(radius_field.problem("must end at most 3.4e38 away from the camera"));
+        }
+        Ok(vec![Shape::Sphere(sphere)])
     }
 
     fn quad(&self, field: &Field, said: &said::Quad, place: &Placement) -> Checked<Vec<Shape>> {
@@ -332,7 +350,7 @@ impl Parts<'_> {
         };
         let shapes = self.mesh(mesh, place);
         if shapes.is_empty() {
-            return Err(field.problem("has no area: its corners lie on one line"));
+            return Err(field.problem("has no area: its corners lie on one line, or too far away"));
         }
         Ok(shapes)
     }

@@ -6,10 +6,11 @@
 use serde::de::{self, Deserialize, Deserializer, SeqAccess, Visitor};
 use std::collections::BTreeMap;
 use std::fmt;
+use std::marker::PhantomData;
 use std::path::PathBuf;
 
 /// Three coordinates.
-pub type Triple = [f64; 3];
+pub type Triple = Exactly<f64, 3>;
 
 /// A whole file.
 #[derive(Clone, Debug, serde::Deserialize)]
@@ -76,7 +77,7 @@ pub struct Camera {
 }
 
 fn up() -> Triple {
-    [0.0, 1.0, 0.0]
+    Exactly([0.0, 1.0, 0.0])
 }
 
 /// The film.
@@ -84,7 +85,12 @@ fn up() -> Triple {
 #[serde(deny_unknown_fields)]
 pub struct Film {
     /// Width and height in pixels.
+    #[serde(deserialize_with = "two")]
     pub size: [i64; 2],
+}
+
+fn two<'de, D: Deserializer<'de>>(deserializer: D) -> Result<[i64; 2], D::Error> {
+    Exactly::deserialize(deserializer).map(|Exactly(pair)| pair)
 }
 
 impl Default for Film {
@@ -272,9 +278,47 @@ pub struct DirectionalLight {
     pub irradiance: Color,
 }
 
+/// A list of `N` values and no more: serde's own arrays pass over what follows the last one.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Exactly<T, const N: usize>(pub [T; N]);
+
+impl<'de, T: Deserialize<'de>, const N: usize> Deserialize<'de> for Exactly<T, N> {
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        struct List<T, const N: usize>(PhantomData<T>);
+
+        impl<'de, T: Deserialize<'de>, const N: usize> Visitor<'de> for List<T, N> {
+            type Value = Exactly<T, N>;
+
+            fn expecting(&self, f: &mut fmt::Formatter) -> fmt::Result {
+                write!(f, "{N} numbers in brackets")
+            }
+
+            fn visit_seq<A: SeqAccess<'de>>(self, seq: A) -> Result<Self::Value, A::Error> {
+                array(seq, &self).map(Exactly)
+            }
+        }
+
+        deserializer.deserialize_seq(List(PhantomData))
+    }
+}
+
+/// All items of a list, if there are as many as expected.
+fn array<'de, T: Deserialize<'de>, A: SeqAccess<'de>, const N: usize>(
+    mut list: A,
+    expected: &dyn de::Expected,
+) -> Result<[T; N], A::Error> {
+    let mut items = Vec::new();
+    while let Some(item) = list.next_element()? {
+        items.push(item);
+    }
+    items
+        .try_into()
+        .map_err(|items: Vec<T>| de::Error::invalid_length(items.len(), expected))
+}
+
 /// Three channels, written `[r, g, b]` or as one number for all three.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Color(pub Triple);
+pub struct Color(pub [f64; 3]);
 
 impl<'de> Deserialize<'de> for Color {
     fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
@@ -284,7 +328,7 @@ impl<'de> Deserialize<'de> for Color {
             type Value = Color;
 
             fn expecting(&self, f: &mut fmt::Formatter) -> fmt::Result {
-                f.write_str("three numbers in brackets, or one number for all three")
+                f.write_str("3 numbers in brackets, or one number for all three")
             }
 
             fn visit_f64<E: de::Error>(self, x: f64) -> Result<Color, E> {
@@ -295,17 +339,8 @@ impl<'de> Deserialize<'de> for Color {
                 Ok(Color([x as f64; 3]))
             }
 
-            fn visit_seq<A: SeqAccess<'de>>(self, mut seq: A) -> Result<Color, A::Error> {
-                let mut channels = [0.0; 3];
-                for (i, channel) in channels.iter_mut().enumerate() {
-                    *channel = seq
-                        .next_element()?
-                        .ok_or_else(|| de::Error::invalid_length(i, &self))?;
-                }
-                match seq.next_element::<f64>()? {
-                    None => Ok(Color(channels)),
-                    Some(_) => Err(de::Error::invalid_length(4, &self)),
-                }
+            fn visit_seq<A: SeqAccess<'de>>(self, seq: A) -> Result<Color, A::Error> {
+                array(seq, &self).map(Color)
             }
         }
 

@@ -1,6 +1,6 @@
 //! The address of a value in a scene file, what may be wrong with it, and checks on numbers.
 
-use super::description::{Color, Triple};
+use super::description::{Color, Exactly, Triple};
 use crate::color::Rgb;
 use glam::DVec3;
 use std::fmt;
@@ -55,8 +55,16 @@ impl fmt::Display for Field {
     fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
         for (i, step) in self.0.iter().enumerate() {
             match step {
-                Step::Key(key) if i == 0 => write!(f, "{key}")?,
-                Step::Key(key) => write!(f, ".{key}")?,
+                Step::Key(key) => {
+                    let dot = if i == 0 { "" } else { "." };
+                    // Other keys stand in quotes in the file too, and may hold line breaks.
+                    let bare = |c: char| c.is_ascii_alphanumeric() || "-_".contains(c);
+                    if !key.is_empty() && key.chars().all(bare) {
+                        write!(f, "{dot}{key}")?;
+                    } else {
+                        write!(f, "{dot}{key:?}")?;
+                    }
+                }
                 Step::Item(index) => write!(f, "[{index}]")?,
             }
         }
@@ -97,9 +105,9 @@ pub fn positive(field: &Field, x: f64) -> Checked<f64> {
 }
 
 /// A point or direction whose coordinates `f32` can hold.
-pub fn vector(field: &Field, xyz: Triple) -> Checked<DVec3> {
-    for x in xyz {
-        finite(field, x)?;
+pub fn vector(field: &Field, Exactly(xyz): Triple) -> Checked<DVec3> {
+    for (i, x) in xyz.into_iter().enumerate() {
+        finite(&field.item(i), x)?;
     }
     Ok(DVec3::from(xyz))
 }
@@ -172,9 +180,9 @@ pub fn exactly_one<T>(field: &Field, what: &str, given: Vec<(&str, Option<T>)>) 
         .collect();
     match (found.pop(), found.pop()) {
         (Some((_, entry)), None) => Ok(entry),
-        (None, _) => Err(field.problem(format!("needs {what}: one of {}", names.join(", ")))),
+        (None, _) => Err(field.problem(format!("needs a {what}: one of {}", names.join(", ")))),
         (Some((a, _)), Some((b, _))) => {
-            Err(field.problem(format!("has both {b} and {a}, but takes one {what} only")))
+            Err(field.problem(format!("has both {b} and {a}, but takes only one {what}")))
         }
     }
 }

@@ -57,10 +57,19 @@ pub fn load_with(scene: &str, change: impl FnOnce(&mut Description)) -> Result<S
     if path.extension().is_none() && !path.exists() {
         return Err(unknown(scene));
     }
-    let text = std::fs::read_to_string(path).map_err(|e| SceneError::File {
+    let refuse = |reason: String| SceneError::File {
         file: scene.to_owned(),
-        reason: format!("cannot be read: {e}"),
-    })?;
+        reason,
+    };
+    if !path
+        .extension()
+        .is_some_and(|e| e.eq_ignore_ascii_case("toml"))
+    {
+        let reason = "is not a scene file: their names end in .toml";
+        return Err(refuse(reason.to_owned()));
+    }
+    let bytes = std::fs::read(path).map_err(|e| refuse(format!("cannot be read: {e}")))?;
+    let text = String::from_utf8(bytes).map_err(|e| SceneError::not_text(scene, &e))?;
     let source = Source {
         file: scene,
         text: &text,

@@ -2,7 +2,7 @@
 
 use super::description as said;
 use super::field::{self, Checked, Field};
-use glam::{DMat3, DVec3};
+use glam::{DMat3, DVec3, Vec3};
 
 /// Where a shape is put: scaled, then rotated, then shifted, all in `f64`.
 pub(super) struct Placement {
@@ -16,10 +16,11 @@ impl Placement {
         let said = said.cloned().unwrap_or_default();
         let scale_field = field.key("scale");
         let scale = match said.scale {
-            Some(said::Color(factors)) => field::vector(&scale_field, factors)?,
+            Some(said::Color(factors)) => field::vector(&scale_field, said::Exactly(factors))?,
             None => DVec3::ONE,
         };
-        if scale.cmpeq(DVec3::ZERO).any() {
+        // As f32, like every other length: what is zero there leaves nothing to hit.
+        if scale.as_vec3().cmpeq(Vec3::ZERO).any() {
             let what = "must not be 0 along any axis: the shape would have no volume left";
             return Err(scale_field.problem(what));
         }
@@ -53,7 +54,13 @@ impl Placement {
 
     /// True where front and back change places.
     pub(super) fn mirrors(&self) -> bool {
-        self.scale.x * self.scale.y * self.scale.z < 0.0
+        self.scale
+            .to_array()
+            .into_iter()
+            .filter(|s| *s < 0.0)
+            .count()
+            % 2
+            == 1
     }
 
     /// The factor all lengths change by, if it is one.

@@ -3,6 +3,7 @@
 use super::description::Description;
 use super::field::{Field, Problem, Step};
 use std::ops::Range;
+use std::string::FromUtf8Error;
 use toml::Spanned;
 use toml::de::{DeTable, DeValue};
 
@@ -29,6 +30,24 @@ pub enum SceneError {
         /// What is wrong and what is allowed.
         what: String,
     },
+}
+
+impl SceneError {
+    /// The error of a file that is not UTF-8.
+    pub(super) fn not_text(file: &str, error: &FromUtf8Error) -> SceneError {
+        let proper = &error.as_bytes()[..error.utf8_error().valid_up_to()];
+        SceneError::Value {
+            file: file.to_owned(),
+            line: line_after(proper),
+            field: String::new(),
+            what: "is not text: a scene file must be UTF-8".to_owned(),
+        }
+    }
+}
+
+/// The number of the line on which the byte after these stands, counted from 1.
+fn line_after(before: &[u8]) -> usize {
+    1 + before.iter().filter(|b| **b == b'\n').count()
 }
 
 fn quoted(field: &str) -> String {
@@ -62,32 +81,65 @@ impl Source<'_> {
             file: self.file.to_owned(),
             line,
             field: problem.field.to_string(),
-            what: problem.what.clone(),
+            what: sentence(&problem.what),
         }
     }
 
     fn parse_error(&self, error: &toml::de::Error) -> SceneError {
         let span = error.span().unwrap_or(0..0);
-        let field = DeTable::parse(self.text)
-            .map(|top| field_at(&top, &span))
-            .unwrap_or_default();
+        let message = sentence(error.message());
+        let problem = match DeTable::parse(self.text) {
+            Ok(top) => explain(&field_at(&top, &span), &message),
+            Err(_) => Field::top().problem(format!("is not proper TOML: {message}")),
+        };
         SceneError::Value {
             file: self.file.to_owned(),
             line: self.line(span.start),
-            field: field.to_string(),
-            what: sentence(error.message()),
+            field: problem.field.to_string(),
+            what: problem.what,
         }
     }
 
     fn line(&self, offset: usize) -> usize {
-        let before = &self.text.as_bytes()[..offset.min(self.text.len())];
-        1 + before.iter().filter(|b| **b == b'\n').count()
+        line_after(&self.text.as_bytes()[..offset.min(self.text.len())])
     }
 }
 
-/// A parser's message without its line breaks.
+/// A message without its line breaks.
 fn sentence(message: &str) -> String {
     message.split_whitespace().collect::<Vec<_>>().join(" ")
+}
+
+/// Serde's complaint about `field` in the words of all others; what is none of its usual ones
+/// stays as it is.
+fn explain(field: &Field, message: &str) -> Problem {
+    if let Some(name) = message.strip_prefix("missing field ") {
+        return field.key(name.trim_matches('`')).problem("is missing");
+    }
+    let Some((found, expected)) = message.rsplit_once(", expected ") else {
+        return field.problem(format!("cannot be read: {message}"));
+    };
+    let expected = match expected {
+        "f64" => "a number",
+        "i64" => "a whole number",
+        "a sequence" => "a list",
+        other if other.starts_with("struct ") => "a table",
+        other => other.trim_start_matches("one of "),
+    };
+    field.problem(if found.starts_with("unknown field ") {
+        format!("is not a field here; allowed: {expected}")
+    } else if let Some(count) = found.strip_prefix("invalid length ") {
+        format!("must be {expected}, not {count} of them")
+    } else {
+        let found = found
+            .trim_start_matches("invalid type: ")
+            .trim_end_matches(" as i128");
+        match found {
+            "map" => format!("must be {expected}, not a table"),
+            "sequence" => format!("must be {expected}, not a list"),
+            _ => format!("must be {expected}, not the {found}"),
+        }
+    })
 }
 
 /// Where the value of `field` stands; the nearest table around it where it is missing.
@@ -154,7 +206,7 @@ fn field_at(top: &Spanned<DeTable>, span: &Range<usize>) -> Field {
                                 table = inner;
                                 continue 'deeper;
                             }
-                            _ => return here,
+                            _ => return here.item(i),
                         },
                         None if covers(&value.span(), span) => return here,
                         None => {}

@@ -1,0 +1,243 @@
+//! Broken mesh files: the sentence names the scene's line and field, and the mesh.
+
+use super::meshes::{Ply, TETRAHEDRON, scene};
+use super::{folder, scene_refused};
+use std::time::{Duration, Instant};
+
+/// Checks that a mesh file is refused, in a sentence with `words`, and without delay.
+fn check(name: &str, bytes: &[u8], words: &str) {
+    let folder = folder();
+    std::fs::write(folder.path().join(name), bytes).unwrap();
+    let start = Instant::now();
+    let sentence = mesh_refused(folder.path(), name, words);
+    // Seconds would mean that a number in the file was believed.
+    assert!(start.elapsed() < Duration::from_secs(2), "{sentence}");
+    assert!(sentence.len() < 300, "{sentence}");
+}
+
+fn mesh_refused(folder: &std::path::Path, name: &str, words: &str) -> String {
+    let text = scene(name);
+    let line = 1 + text.lines().position(|l| l.contains("mesh =")).unwrap();
+    let named = format!("names {name}, which ");
+    scene_refused(
+        folder,
+        text.as_bytes(),
+        line,
+        "objects[0].mesh.file",
+        &[&named, words],
+    )
+}
+
+/// An ASCII file of a tetrahedron with one change.
+fn ply(right: &str, wrong: &str) -> Vec<u8> {
+    let text = String::from_utf8(TETRAHEDRON.ply(Ply::Ascii)).unwrap();
+    assert!(text.contains(right), "{right}");
+    text.replacen(right, wrong, 1).into_bytes()
+}
+
+#[test]
+fn files_that_are_no_mesh() {
+    let folder = folder();
+    for name in ["none.ply", "none.obj", "no/folder/none.ply"] {
+        mesh_refused(folder.path(), name, "cannot be opened: ");
+    }
+    std::fs::create_dir(folder.path().join("folder.ply")).unwrap();
+    std::fs::create_dir(folder.path().join("folder.obj")).unwrap();
+    for name in ["folder.ply", "folder.obj"] {
+        mesh_refused(folder.path(), name, "directory");
+    }
+    check("solid.stl", b"solid", "allowed are .ply and .obj");
+    check("solid", b"solid", "allowed are .ply and .obj");
+}
+
+#[test]
+fn broken_ply_files() {
+    check("a.ply", b"", "is not a proper PLY file: ");
+    check("a.ply", b"plx\n", "magic number");
+    check(
+        "a.ply",
+        b"\x7fELF\0\0\0\xff\xff\n",
+        "is not a proper PLY file: ",
+    );
+    check(
+        "a.ply",
+        &ply("end_header\n", ""),
+        "is not a proper PLY file: ",
+    );
+    check("a.ply", &ply("format ascii 1.0\n", ""), "format");
+    check(
+        "a.ply",
+        &ply("format ascii 1.0", "format utf8 1.0"),
+        "Line 2",
+    );
+    check(
+        "a.ply",
+        &ply("format ascii 1.0", "format ascii 70000.0"),
+        "version",
+    );
+    check(
+        "a.ply",
+        &ply("property float x", "property number x"),
+        "Line 5",
+    );
+    check(
+        "a.ply",
+        &ply("element vertex", "element point"),
+        "no element `vertex`",
+    );
+    check(
+        "a.ply",
+        &ply("element face", "element fase"),
+        "no element `face`",
+    );
+    check("a.ply", &ply("float z", "float w"), "no property `z`");
+    check(
+        "a.ply",
+        &ply("vertex_indices", "corners"),
+        "no list `vertex_indices`",
+    );
+    check(
+        "a.ply",
+        &ply("list uchar int", "list uchar float"),
+        "no list `vertex_indices`",
+    );
+    check("a.ply", &ply("0 1 200 0\n", "0 nan 200 0\n"), "Line 13");
+    check("a.ply", &ply("0 1 200 0\n", "0 1\n"), "Line 13");
+    check(
+        "a.ply",
+        &ply("0 1 200 0\n", "0 1e39 200 0\n"),
+        "vertex (number 0) whose coordinates",
+    );
+    check(
+        "a.ply",
+        &ply("3 0 1 2", "3 0 1 4"),
+        "no vertex 4, which triangle 0 uses: there are 4",
+    );
+    check(
+        "a.ply",
+        &ply("3 0 1 2", "3 0 1 -1"),
+        "has a vertex index of -1 in face 0",
+    );
+    check(
+        "a.ply",
+        &ply("3 0 1 2", "2 0 1"),
+        "fewer than 3 corners in face 0",
+    );
+    check(
+        "a.ply",
+        &ply("3 0 1 2", "0"),
+        "fewer than 3 corners in face 0",
+    );
+    check("a.ply", &ply("3 0 1 2", "-3 0 1 2"), "Line 17");
+    check("a.ply", &ply("3 0 1 2", "4000000000000 0 1 2"), "Line 17");
+    check(
+        "a.ply",
+        &ply("vertex 4", "vertex 5"),
+        "is not a proper PLY file: ",
+    );
+    check("a.ply", &ply("face 4", "face 5"), "end of file");
+}
+
+#[test]
+fn truncated_binary_ply_files() {
+    for kind in [Ply::Little, Ply::Big] {
+        let whole = TETRAHEDRON.ply(kind);
+        for length in 1..whole.len() {
+            if length % 17 == 0 || length + 1 == whole.len() {
+                check("a.ply", &whole[..length], "is not a proper PLY file: ");
+            }
+        }
+    }
+    let mut bytes = TETRAHEDRON.ply(Ply::Little);
+    let first = bytes.len() - 4 * 17 - 4 * 13;
+    bytes[first..first + 4].copy_from_slice(&f32::NAN.to_le_bytes());
+    check("a.ply", &bytes, "vertex (number 0) whose coordinates");
+}
+
+#[test]
+fn counts_in_a_header_are_not_believed() {
+    let huge = u64::MAX.to_string();
+    for count in ["4000000000", "9223372036854775807", &huge] {
+        for kind in [Ply::Ascii, Ply::Little] {
+            for element in ["vertex", "face"] {
+                let header = format!("element {element} {count}\n");
+                let mut bytes = TETRAHEDRON.ply(kind);
+                let old = format!("element {element} 4\n").into_bytes();
+                let at = bytes.windows(old.len()).position(|w| w == old).unwrap();
+                bytes.splice(at..at + old.len(), header.into_bytes());
+                check("a.ply", &bytes, "is not a proper PLY file: ");
+            }
+        }
+    }
+    // Nothing to read for each of them: no end of the file would ever stop it.
+    let vertices = "element vertex 0\nproperty float x\nproperty float y\nproperty float z\n";
+    let faces = "element face 0\nproperty list uchar int vertex_indices\n";
+    for (name, others) in [
+        ("vertex", faces.to_owned()),
+        ("face", vertices.to_owned()),
+        ("edge", format!("{vertices}{faces}")),
+    ] {
+        let file = format!(
+            "ply\nformat binary_little_endian 1.0\nelement {name} 9000000000000000000\n\
+             {others}end_header\n"
+        );
+        let words = format!("element `{name}` has no properties");
+        check("a.ply", file.as_bytes(), &words);
+    }
+}
+
+#[test]
+fn broken_obj_files() {
+    let right = String::from_utf8(TETRAHEDRON.obj(|i| (i + 1).to_string())).unwrap();
+    let obj = |from: &str, to: &str| {
+        assert!(right.contains(from), "{from}");
+        right.replacen(from, to, 1).into_bytes()
+    };
+    check("a.obj", b"", "has no vertices");
+    check("a.obj", b"\x7fELF\0\xff\xfe\n", "has no vertices");
+    check("a.obj", &obj("f 1 2 3", "f 1 2 5"), "index out of bounds");
+    check("a.obj", &obj("f 1 2 3", "f 1 2 -5"), "index out of bounds");
+    check("a.obj", &obj("f 1 2 3", "f 0 1 2"), "index out of bounds");
+    check(
+        "a.obj",
+        &obj("f 1 2 3", "f 1 2 9223372036854775807"),
+        "index out of bounds",
+    );
+    check(
+        "a.obj",
+        &obj("f 1 2 3", "f 1 2 99999999999999999999"),
+        "face parse error",
+    );
+    check("a.obj", &obj("f 1 2 3", "f 1 2 x"), "face parse error");
+    check(
+        "a.obj",
+        &obj("f 1 2 3", "f 1 2"),
+        "fewer than 3 corners in face 0",
+    );
+    check(
+        "a.obj",
+        &obj("f 1 2 3", "f 1"),
+        "fewer than 3 corners in face 0",
+    );
+    check(
+        "a.obj",
+        &obj("f 1 2 3", "f"),
+        "fewer than 3 corners in face 0",
+    );
+    check("a.obj", &obj("v 0 1 0", "v 0 1"), "position parse error");
+    check(
+        "a.obj",
+        &obj("v 0 1 0", "v 0 one 0"),
+        "position parse error",
+    );
+    check(
+        "a.obj",
+        &obj("v 0 1 0", "v 0 nan 0"),
+        "coordinates are not finite",
+    );
+    check(
+        "a.obj",
+        &obj("v 0 1 0", "v 0 1e39 0"),
+        "coordinates are not finite",
+    );
+}

@@ -1,0 +1,249 @@
+//! The same mesh in every format gives the same picture.
+
+use super::{complaint, folder, halfdisk};
+use std::path::Path;
+
+/// Corners and faces, the faces counter-clockwise from outside.
+pub struct Solid {
+    pub vertices: &'static [[f32; 3]],
+    pub faces: &'static [&'static [i32]],
+}
+
+pub const TETRAHEDRON: Solid = Solid {
+    vertices: &[
+        [0.0, 1.0, 0.0],
+        [-1.0, -0.75, 0.5],
+        [1.0, -0.75, 0.5],
+        [0.1, -0.5, -1.0],
+    ],
+    faces: &[&[0, 1, 2], &[0, 2, 3], &[0, 3, 1], &[1, 3, 2]],
+};
+
+/// A cube whose top is a polygon of five corners.
+const CUBE: Solid = Solid {
+    vertices: &[
+        [-1.0, -1.0, -1.0],
+        [1.0, -1.0, -1.0],
+        [1.0, -1.0, 1.0],
+        [-1.0, -1.0, 1.0],
+        [-1.0, 1.0, -1.0],
+        [1.0, 1.0, -1.0],
+        [1.0, 1.0, 1.0],
+        [-1.0, 1.0, 1.0],
+        [-1.25, 1.0, 0.0],
+    ],
+    faces: &[
+        &[0, 1, 2, 3],
+        &[7, 6, 5, 4, 8],
+        &[3, 2, 6, 7],
+        &[1, 0, 4, 5],
+        &[2, 1, 5, 6],
+        &[0, 3, 7, 4],
+        &[3, 8, 4],
+    ],
+};
+
+#[derive(Clone, Copy, PartialEq)]
+pub enum Ply {
+    Ascii,
+    Little,
+    Big,
+}
+
+impl Solid {
+    pub fn ply(&self, kind: Ply) -> Vec<u8> {
+        let format = match kind {
+            Ply::Ascii => "ascii",
+            Ply::Little => "binary_little_endian",
+            Ply::Big => "binary_big_endian",
+        };
+        let mut file = format!(
+            "ply\nformat {format} 1.0\ncomment made by a test\nelement vertex {}\nproperty float x\n\
+             property float y\nproperty uchar red\nproperty float z\nelement face {}\n\
+             property list uchar int vertex_indices\nproperty float quality\nend_header\n",
+            self.vertices.len(),
+            self.faces.len()
+        )
+        .into_bytes();
+        let word = |bytes: [u8; 4]| match kind {
+            Ply::Big => bytes.into_iter().rev().collect::<Vec<u8>>(),
+            _ => bytes.to_vec(),
+        };
+        for [x, y, z] in self.vertices {
+            if kind == Ply::Ascii {
+                file.extend(format!("{x} {y} 200 {z}\n").bytes());
+                continue;
+            }
+            let number = |x: &f32| word(x.to_le_bytes());
+            file.extend([number(x), number(y), vec![200], number(z)].concat());
+        }
+        for face in self.faces {
+            if kind == Ply::Ascii {
+                let corners: Vec<String> = face.iter().map(i32::to_string).collect();
+                file.extend(format!("{} {} 0.5\n", face.len(), corners.join(" ")).bytes());
+                continue;
+            }
+            file.push(face.len() as u8);
+            file.extend(face.iter().flat_map(|i| word(i.to_le_bytes())));
+            file.extend(word(0.5_f32.to_le_bytes()));
+        }
+        file
+    }
+
+    pub fn obj(&self, corner: impl Fn(i32) -> String) -> Vec<u8> {
+        let mut file = String::from("# a comment\nmtllib none.mtl\no solid\nvt 0 0\nvn 0 1 0\n");
+        for [x, y, z] in self.vertices {
+            file += &format!("v {x} {y} {z}\n");
+        }
+        file += "usemtl none\nl 1 2 3\np 1\ns off\n";
+        for (at, face) in self.faces.iter().enumerate() {
+            if at == 2 {
+                file += "g second\n";
+            }
+            let corners: Vec<String> = face.iter().map(|i| corner(*i)).collect();
+            file += &format!("f {}\n", corners.join(" "));
+        }
+        file.into_bytes()
+    }
+
+    /// Each face as a fan of triangles.
+    fn split(&self) -> Solid {
+        let fans = self.faces.iter().flat_map(|face| {
+            let (first, rest) = face.split_first().unwrap();
+            rest.windows(2).map(|w| &*vec![*first, w[0], w[1]].leak())
+        });
+        Solid {
+            vertices: self.vertices,
+            faces: fans.collect::<Vec<_>>().leak(),
+        }
+    }
+}
+
+/// A scene that shows a mesh file.
+pub fn scene(mesh: &str) -> String {
+    format!(
+        r#"name = "solid"
+background = [0.25, 0.5, 0.75]
+[camera]
+from = [1, 2, 5]
+to = [0, 0, 0]
+fov = 40
+[film]
+size = [24, 18]
+[materials.dull]
+lambert = {{ albedo = 0.5 }}
+[[lights]]
+point = {{ position = [2, 4, 4], intensity = 40 }}
+[[objects]]
+material = "dull"
+mesh = {{ file = "{mesh}" }}
+"#
+    )
+}
+
+/// The picture of a mesh file, and what was said about it.
+pub fn picture(folder: &Path, mesh: &str, bytes: &[u8]) -> (Vec<u8>, String) {
+    std::fs::write(folder.join(mesh), bytes).unwrap();
+    std::fs::write(folder.join("scene.toml"), scene(mesh)).unwrap();
+    let output = halfdisk(
+        folder,
+        &["render", "scene.toml", "--spp", "2", "--out", "p.png"],
+    );
+    assert!(output.status.success(), "{mesh}: {}", complaint(&output));
+    (
+        std::fs::read(folder.join("p.png")).unwrap(),
+        complaint(&output),
+    )
+}
+
+#[test]
+fn every_format_gives_the_same_picture() {
+    let folder = folder();
+    let see = |name: &str, bytes: Vec<u8>| picture(folder.path(), name, &bytes).0;
+    for solid in [TETRAHEDRON, CUBE] {
+        let count = solid.vertices.len() as i32;
+        let expected = see("a.ply", solid.ply(Ply::Ascii));
+        assert_ne!(
+            expected,
+            see("empty.ply", EMPTY.ply(Ply::Ascii)),
+            "it is seen"
+        );
+        assert!(expected == see("b.ply", solid.ply(Ply::Little)));
+        assert!(expected == see("c.PLY", solid.ply(Ply::Big)));
+        assert!(expected == see("a.obj", solid.obj(|i| (i + 1).to_string())));
+        assert!(expected == see("b.obj", solid.obj(|i| (i - count).to_string())));
+        assert!(expected == see("c.OBJ", solid.obj(|i| format!("{}/1/1", i + 1))));
+        assert!(expected == see("d.obj", solid.obj(|i| format!("{}//1", i + 1))));
+        // Polygons are what their fans are.
+        let triangles = solid.split();
+        assert!(triangles.faces.iter().all(|f| f.len() == 3));
+        assert!(expected == see("d.ply", triangles.ply(Ply::Ascii)));
+        assert!(expected == see("e.obj", triangles.obj(|i| (i + 1).to_string())));
+    }
+}
+
+const EMPTY: Solid = Solid {
+    vertices: TETRAHEDRON.vertices,
+    faces: &[],
+};
+
+#[test]
+fn a_mesh_without_faces_is_background() {
+    let folder = folder();
+    let no_vertices = Solid {
+        vertices: &[],
+        faces: &[],
+    };
+    let see = |name: &str, bytes: Vec<u8>| picture(folder.path(), name, &bytes).0;
+    let expected = see("a.ply", EMPTY.ply(Ply::Ascii));
+    assert!(expected == see("b.ply", EMPTY.ply(Ply::Little)));
+    assert!(expected == see("c.ply", no_vertices.ply(Ply::Big)));
+    assert!(expected == see("a.obj", EMPTY.obj(|i| i.to_string())));
+    let image = image::load_from_memory(&expected).unwrap().to_rgb8();
+    let first = *image.get_pixel(0, 0);
+    assert!(image.pixels().all(|p| *p == first), "one colour only");
+}
+
+#[test]
+fn degenerate_triangles_are_left_out_and_reported() {
+    let folder = folder();
+    let with_slivers = Solid {
+        vertices: TETRAHEDRON.vertices,
+        // The same corner twice, and the same three times.
+        faces: &[
+            &[0, 1, 1],
+            &[0, 1, 2],
+            &[0, 2, 3],
+            &[0, 3, 1],
+            &[1, 3, 2],
+            &[2, 2, 2],
+        ],
+    };
+    let (expected, quiet) = picture(folder.path(), "a.ply", &TETRAHEDRON.ply(Ply::Ascii));
+    assert!(!quiet.contains("without area"), "{quiet}");
+    for (name, bytes) in [
+        ("b.ply", with_slivers.ply(Ply::Little)),
+        ("b.obj", with_slivers.obj(|i| (i + 1).to_string())),
+    ] {
+        let (same, said) = picture(folder.path(), name, &bytes);
+        assert!(expected == same, "{name}");
+        assert!(
+            said.contains("2 triangles without area were left out"),
+            "{said}"
+        );
+    }
+}
+
+#[test]
+fn a_scene_of_ones_own_finds_its_mesh_from_anywhere() {
+    let (here, there) = (folder(), folder());
+    let own = there.path().join("my scenes");
+    std::fs::create_dir(&own).unwrap();
+    let (expected, _) = picture(&own, "solid.ply", &TETRAHEDRON.ply(Ply::Big));
+    let path = own.join("scene.toml");
+    let path = path.to_str().unwrap();
+    let output = halfdisk(here.path(), &["render", path, "--spp", "2"]);
+    assert!(output.status.success(), "{}", complaint(&output));
+    let written = std::fs::read(here.path().join("out/solid.png")).unwrap();
+    assert!(written == expected);
+}
