@@ -24,7 +24,7 @@
 //! 2. [`sampling`]: random numbers and what they are bent into; [`stats`]: estimates with errors
 //! 3. [`geometry`]: rays, shapes, the hierarchy that finds the first hit
 //! 4. [`materials`], [`lights`], [`camera`]
-//! 5. [`scene`]: from a file to something rays can meet
+//! 5. [`scene`]: from a file to something rays can meet; [`flatland`]: the same in the flat world
 //! 6. [`integrators`]: the stages of the algorithm, side by side
 //! 7. [`render`]: the pixel loop and the film; [`output`]: pictures as files
 //! 8. [`estimators`]: smaller questions than a picture
@@ -64,6 +64,7 @@ pub mod color;
 pub mod desk;
 pub mod estimators;
 pub mod experiment;
+pub mod flatland;
 pub mod geometry;
 pub mod integrators;
 pub mod ledger;

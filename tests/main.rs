@@ -5,6 +5,7 @@ mod chapters;
 mod cli;
 mod determinism;
 mod film;
+mod flatland;
 mod hard_cases;
 mod mutations;
 mod tidy;

@@ -8,9 +8,9 @@ use std::path::{Path, PathBuf};
 const FLOORS: &[&[&str]] = &[
     &["numeric", "color"],
     &["sampling", "stats"],
-    &["geometry"],
+    &["geometry", "space"],
     &["materials", "lights", "camera"],
-    &["scene"],
+    &["scene", "flatland"],
     &["integrators"],
     &["render", "output"],
     &["estimators"],

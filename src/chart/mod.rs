@@ -9,6 +9,7 @@
 //! * [`RayDrawing`] — walls, lamps and rays of the flat world, true to scale;
 //! * [`TreeDrawing`] — the tree of reflected and transmitted rays below one camera ray.
 //!
+//! [`flat`] fills in a [`RayDrawing`] from a flat world and the half disk over one of its points.
 //! Behind them: `canvas` (page, pens, letters), `area` (boxes, and where they hide least), `legend`
 //! (what the colours mean), `axis` and `ticks` (from values to places and words), and `plane` (the
 //! grid of a chart).
@@ -18,6 +19,7 @@ mod axis;
 mod bars;
 mod canvas;
 mod curves;
+pub mod flat;
 mod legend;
 mod plane;
 mod rays;
@@ -27,7 +29,7 @@ mod tree;
 pub use axis::Axis;
 pub use bars::{Bar, BarChart, BarGroup};
 pub use curves::{Curve, CurveChart, Point, Style};
-pub use rays::{Bounds, Circle, Dot, Label, RayDrawing, Stroke, StrokeKind};
+pub use rays::{Arc, Bounds, Circle, Dot, Label, RayDrawing, Stroke, StrokeKind};
 pub use tree::{EdgeKind, TreeDrawing, TreeNode};
 
 /// Width and height of a drawing in pixels, where its content does not ask for more.

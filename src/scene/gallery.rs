@@ -1,8 +1,9 @@
 //! The scenes that come with the program, and how a name or a path becomes a scene.
 
 use super::build::build;
-use super::read::{SceneError, Source};
+use super::read::{self, SceneError, Source};
 use super::{Scene, description::Description};
+use std::borrow::Cow;
 use std::path::Path;
 use std::time::Instant;
 
@@ -50,43 +51,22 @@ pub fn load(scene: &str) -> Result<Scene, SceneError> {
 /// The same, with a change to the description before it is checked and built, such as another
 /// image size.
 pub fn load_with(scene: &str, change: impl FnOnce(&mut Description)) -> Result<Scene, SceneError> {
-    if let Some(text) = text(scene) {
-        return from_text(Source { file: scene, text }, None, change);
-    }
-    let path = Path::new(scene);
-    if path.extension().is_none() && !path.exists() {
-        return Err(unknown(scene));
-    }
-    let refuse = |reason: String| SceneError::File {
-        file: scene.to_owned(),
-        reason,
+    let text = read::text_of(scene, GALLERY)?;
+    // Gallery scenes are borrowed, and stand in no folder.
+    let folder = match text {
+        Cow::Borrowed(_) => None,
+        Cow::Owned(_) => Path::new(scene).parent(),
     };
-    if !path
-        .extension()
-        .is_some_and(|e| e.eq_ignore_ascii_case("toml"))
-    {
-        let reason = "is not a scene file: their names end in .toml";
-        return Err(refuse(reason.to_owned()));
-    }
-    let bytes = std::fs::read(path).map_err(|e| refuse(format!("cannot be read: {e}")))?;
-    let text = String::from_utf8(bytes).map_err(|e| SceneError::not_text(scene, &e))?;
     let source = Source {
         file: scene,
         text: &text,
     };
-    from_text(source, path.parent(), change)
+    from_text(source, folder, change)
 }
 
 /// The error of a name that is neither in the gallery nor a file.
 pub fn unknown(name: &str) -> SceneError {
-    let names: Vec<&str> = GALLERY.iter().map(|(name, _)| *name).collect();
-    SceneError::File {
-        file: name.to_owned(),
-        reason: format!(
-            "is neither a scene of the gallery ({}) nor a file",
-            names.join(", ")
-        ),
-    }
+    read::unknown(name, GALLERY)
 }
 
 /// The scene a text describes; meshes are looked for in `folder`.
@@ -96,7 +76,7 @@ pub fn from_text(
     change: impl FnOnce(&mut Description),
 ) -> Result<Scene, SceneError> {
     let start = Instant::now();
-    let mut description = source.parse()?;
+    let mut description: Description = source.parse()?;
     change(&mut description);
     let mut scene = build(&description, folder).map_err(|problem| source.locate(&problem))?;
     scene.report.time = start.elapsed();

@@ -1,8 +1,10 @@
 //! From a file to a description, with errors that name the line and the field.
 
-use super::description::Description;
 use super::field::{Field, Problem, Step};
+use serde::de::DeserializeOwned;
+use std::borrow::Cow;
 use std::ops::Range;
+use std::path::Path;
 use std::string::FromUtf8Error;
 use toml::Spanned;
 use toml::de::{DeTable, DeValue};
@@ -34,7 +36,7 @@ pub enum SceneError {
 
 impl SceneError {
     /// The error of a file that is not UTF-8.
-    pub(super) fn not_text(file: &str, error: &FromUtf8Error) -> SceneError {
+    fn not_text(file: &str, error: &FromUtf8Error) -> SceneError {
         let proper = &error.as_bytes()[..error.utf8_error().valid_up_to()];
         SceneError::Value {
             file: file.to_owned(),
@@ -58,6 +60,44 @@ fn quoted(field: &str) -> String {
     }
 }
 
+/// The text of a gallery name, borrowed from the gallery, or of a path to a file.
+pub fn text_of(
+    scene: &str,
+    gallery: &[(&str, &'static str)],
+) -> Result<Cow<'static, str>, SceneError> {
+    if let Some((_, text)) = gallery.iter().find(|(name, _)| *name == scene) {
+        return Ok(Cow::Borrowed(text));
+    }
+    let path = Path::new(scene);
+    if path.extension().is_none() && !path.exists() {
+        return Err(unknown(scene, gallery));
+    }
+    let refuse = |reason: String| SceneError::File {
+        file: scene.to_owned(),
+        reason,
+    };
+    let is_toml = |ending: &std::ffi::OsStr| ending.eq_ignore_ascii_case("toml");
+    if !path.extension().is_some_and(is_toml) {
+        let reason = "is not a scene file: their names end in .toml";
+        return Err(refuse(reason.to_owned()));
+    }
+    let bytes = std::fs::read(path).map_err(|e| refuse(format!("cannot be read: {e}")))?;
+    let text = String::from_utf8(bytes).map_err(|e| SceneError::not_text(scene, &e))?;
+    Ok(Cow::Owned(text))
+}
+
+/// The error of a name that is neither in the gallery nor a file.
+pub fn unknown(name: &str, gallery: &[(&str, &str)]) -> SceneError {
+    let names: Vec<&str> = gallery.iter().map(|(name, _)| *name).collect();
+    SceneError::File {
+        file: name.to_owned(),
+        reason: format!(
+            "is neither a scene of the gallery ({}) nor a file",
+            names.join(", ")
+        ),
+    }
+}
+
 /// A scene file's text with its name, for error messages.
 #[derive(Clone, Copy, Debug)]
 pub struct Source<'a> {
@@ -68,8 +108,8 @@ pub struct Source<'a> {
 }
 
 impl Source<'_> {
-    /// Reads the text into a description.
-    pub fn parse(&self) -> Result<Description, SceneError> {
+    /// Reads the text into a description of any kind.
+    pub fn parse<T: DeserializeOwned>(&self) -> Result<T, SceneError> {
         toml::from_str(self.text).map_err(|error| self.parse_error(&error))
     }
 

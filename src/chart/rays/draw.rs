@@ -4,13 +4,12 @@
 //! most is drawn last: two hundred lost rays never bury the one that counts.
 
 use std::collections::BTreeSet;
-use std::f64::consts::TAU;
 
 use plotters::prelude::{Color, Polygon};
 use plotters::style::text_anchor::{HPos, VPos};
 
 use super::view::Sheet;
-use super::{Circle, Label, RayDrawing, Stroke, StrokeKind};
+use super::{Arc, Label, RayDrawing, Stroke, StrokeKind};
 use crate::chart::ChartError;
 use crate::chart::area::{Area, samples};
 use crate::chart::canvas::{
@@ -23,6 +22,12 @@ impl StrokeKind {
     pub(super) fn pen(self) -> Pen {
         match self {
             Self::Lost => Pen::solid(PALE, 1),
+            Self::ToSky => Pen::solid(SKY, 1),
+            Self::ToSurface => Pen::solid(BLUE, 1),
+            Self::ToEmitter => Pen::solid(ORANGE, 2),
+            Self::Above => Pen::solid(BLUE, 1),
+            Self::Below => Pen::solid(VERMILLION, 1),
+            Self::HalfDisk => Pen::solid(GREY, 1),
             Self::Axis => Pen::dashed(GREY, 1),
             Self::Normal => Pen::solid(GREEN, 2),
             Self::Camera => Pen::solid(GREY, 2),
@@ -38,6 +43,12 @@ impl StrokeKind {
     fn name(self) -> &'static str {
         match self {
             Self::Lost => "lost ray",
+            Self::ToSky => "ray to the sky",
+            Self::ToSurface => "ray to a surface",
+            Self::ToEmitter => "ray to a lamp",
+            Self::Above => "ray above the surface",
+            Self::Below => "ray below the surface",
+            Self::HalfDisk => "half disk",
             Self::Axis => "axis",
             Self::Normal => "normal",
             Self::Camera => "ray from the eye",
@@ -67,11 +78,18 @@ impl RayDrawing {
 
     /// One key for each kind that occurs, what lies on top first.
     fn keys(&self) -> Vec<Key> {
-        let round = self.circles.iter().map(|c| c.kind);
-        let kinds: BTreeSet<StrokeKind> =
-            self.strokes.iter().map(|s| s.kind).chain(round).collect();
+        let round = self.round().map(|arc| arc.kind);
+        let lamps = self.lamps.iter().map(|_| StrokeKind::Lamp);
+        let straight = self.strokes.iter().map(|s| s.kind);
+        let kinds: BTreeSet<StrokeKind> = straight.chain(round).chain(lamps).collect();
         let key = |kind: StrokeKind| Key::line(kind.name(), kind.pen());
         kinds.into_iter().rev().map(key).collect()
+    }
+
+    /// Everything round, as arcs.
+    fn round(&self) -> impl Iterator<Item = Arc> {
+        let circles = self.circles.iter().copied().map(Arc::from);
+        circles.chain(self.arcs.iter().copied())
     }
 
     fn draw_on(&self, page: &Page<'_>, sheet: &Sheet) -> Result<(), ChartError> {
@@ -88,8 +106,12 @@ impl RayDrawing {
                 }
             }
         }
-        for circle in &self.circles {
-            self.draw_circle(page, sheet, circle)?;
+        self.draw_joints(page, sheet)?;
+        for arc in self.round() {
+            arc.draw(page, sheet, &self.view)?;
+        }
+        for lamp in self.lamps.iter().filter(|lamp| self.view.holds(lamp.at)) {
+            disk(page, sheet.pixel(lamp.at), 6, StrokeKind::Lamp.pen().colour)?;
         }
         for dot in self.dots.iter().filter(|dot| self.view.holds(dot.at)) {
             let at = sheet.pixel(dot.at);
@@ -101,27 +123,21 @@ impl RayDrawing {
             // Words weigh more than lines: the next label must not land on this one.
             obstacles.extend(area.grid().flat_map(|at| [at; 8]));
         }
+        let letters = Letters::new(SMALL).anchored(HPos::Center, VPos::Center);
+        for caption in &self.captions {
+            letters.write(page, sheet.pixel(caption.at), &caption.text)?;
+        }
         Ok(())
     }
-}
 
-impl RayDrawing {
-    /// One line where the whole circle is in view, so that it has no joints; else what is in view.
-    fn draw_circle(&self, page: &Page<'_>, sheet: &Sheet, c: &Circle) -> Result<(), ChartError> {
-        const SIDES: i32 = 96;
-        let corner = |i: i32| {
-            let (sin, cos) = libm::sincos(TAU * f64::from(i) / f64::from(SIDES));
-            [c.center[0] + c.radius * cos, c.center[1] + c.radius * sin]
-        };
-        let corners: Vec<[f64; 2]> = (0..=SIDES).map(corner).collect();
-        if corners.iter().all(|&at| self.view.holds(at)) {
-            let outline = corners.into_iter().map(|at| sheet.pixel(at)).collect();
-            return c.kind.pen().trace(page, outline);
-        }
-        for side in corners.windows(2) {
-            if let Some(ends) = self.view.clip(side[0], side[1]) {
-                let line = ends.map(|at| sheet.pixel(at)).to_vec();
-                c.kind.pen().trace(page, line)?;
+    /// Fills the notch where one thick line ends and the next begins.
+    fn draw_joints(&self, page: &Page<'_>, sheet: &Sheet) -> Result<(), ChartError> {
+        let thick = |stroke: &&Stroke| stroke.kind >= StrokeKind::Lamp;
+        for end in self.strokes.iter().filter(thick) {
+            let mut others = self.strokes.iter().filter(thick);
+            if self.view.holds(end.to) && others.any(|s| s.kind == end.kind && s.from == end.to) {
+                let pen = end.kind.pen();
+                disk(page, sheet.pixel(end.to), pen.width / 2, pen.colour)?;
             }
         }
         Ok(())
@@ -198,6 +214,19 @@ mod tests {
     fn an_arrow_that_leaves_the_view_loses_its_head() {
         assert_eq!(heads([0.5, 0.5]), 1);
         assert_eq!(heads([5.0, 0.5]), 0);
+    }
+
+    #[test]
+    fn walls_that_go_on_leave_no_notch() {
+        let discs = |corner| {
+            let wall = |from, to| Stroke::new(StrokeKind::Wall, from, to);
+            let drawing = RayDrawing {
+                strokes: vec![wall([0.0, 0.5], [0.0, 0.0]), wall(corner, [0.5, 0.0])],
+                ..RayDrawing::default()
+            };
+            drawing.to_svg().unwrap().matches("<circle").count()
+        };
+        assert_eq!((discs([0.0, 0.0]), discs([0.1, 0.0])), (1, 0));
     }
 
     #[test]

@@ -1,8 +1,10 @@
 //! Rays: the flat world seen from above, true to scale and without axes.
 
 mod draw;
+mod round;
 mod view;
 
+pub use round::{Arc, Circle};
 pub use view::Bounds;
 
 use super::ChartError;
@@ -18,10 +20,16 @@ pub struct RayDrawing {
     pub strokes: Vec<Stroke>,
     /// Round walls and lamps.
     pub circles: Vec<Circle>,
+    /// Pieces of circles, such as the rim of a half disk.
+    pub arcs: Vec<Arc>,
+    /// Lamps that are points.
+    pub lamps: Vec<Dot>,
     /// Places worth a dot, such as the hits of a path.
     pub dots: Vec<Dot>,
     /// Words beside places.
     pub labels: Vec<Label>,
+    /// Words in the middle of their places, whatever lies beneath.
+    pub captions: Vec<Label>,
 }
 
 /// A straight piece of the picture.
@@ -62,6 +70,18 @@ impl Stroke {
 pub enum StrokeKind {
     /// A ray that found nothing.
     Lost,
+    /// A ray that leaves the world.
+    ToSky,
+    /// A ray that meets a surface.
+    ToSurface,
+    /// A ray that meets the shining side of a surface.
+    ToEmitter,
+    /// A ray on the side its surface faces.
+    Above,
+    /// A ray on the other side, where no light comes from.
+    Below,
+    /// The half disk of directions over a point.
+    HalfDisk,
     /// A line that only helps the eye, such as the axis of a lens.
     Axis,
     /// The direction a surface faces.
@@ -82,17 +102,6 @@ pub enum StrokeKind {
     Wall,
 }
 
-/// A round thing.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Circle {
-    /// Its centre.
-    pub center: [f64; 2],
-    /// Its radius.
-    pub radius: f64,
-    /// What it stands for.
-    pub kind: StrokeKind,
-}
-
 /// A place worth a dot.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Dot {
@@ -100,10 +109,10 @@ pub struct Dot {
     pub at: [f64; 2],
 }
 
-/// A word beside a place.
+/// A word and its place.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Label {
-    /// The place; the word goes to the side of it where it hides least.
+    /// The place; a word beside it goes to the side where it hides least.
     pub at: [f64; 2],
     /// The word.
     pub text: String,
@@ -124,15 +133,23 @@ impl RayDrawing {
         self.finite("circles", &self.circles, |circle| {
             vec![circle.center, [circle.radius; 2]]
         })?;
+        self.finite("arcs", &self.arcs, |arc| {
+            vec![arc.center, [arc.radius; 2], [arc.start, arc.turn]]
+        })?;
+        self.finite("lamps", &self.lamps, |lamp| vec![lamp.at])?;
         self.finite("dots", &self.dots, |dot| vec![dot.at])?;
         self.finite("labels", &self.labels, |label| vec![label.at])?;
+        self.finite("captions", &self.captions, |caption| vec![caption.at])?;
         let lists = [
             self.strokes.len(),
             self.circles.len(),
+            self.arcs.len(),
+            self.lamps.len(),
             self.dots.len(),
             self.labels.len(),
+            self.captions.len(),
         ];
-        let nothing = lists == [0; 4];
+        let nothing = lists == [0; 7];
         if nothing || self.view.size().iter().any(|&size| size <= 0.0) {
             return Err(ChartError::Empty(self.title.clone()));
         }
