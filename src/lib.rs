@@ -22,7 +22,8 @@
 //!
 //! 1. [`numeric`]: care for floating point; [`color`]: a radiometric triple
 //! 2. [`sampling`]: random numbers and what they are bent into; [`stats`]: estimates with errors
-//! 3. [`geometry`]: rays, shapes, the hierarchy that finds the first hit
+//! 3. [`geometry`]: rays, shapes, the hierarchy that finds the first hit; [`space`]: what a
+//!    dimension is, so that one source serves both
 //! 4. [`materials`], [`lights`], [`camera`]
 //! 5. [`scene`]: from a file to something rays can meet; [`flatland`]: the same in the flat world
 //! 6. [`integrators`]: the stages of the algorithm, side by side
@@ -75,4 +76,5 @@ pub mod output;
 pub mod render;
 pub mod sampling;
 pub mod scene;
+pub mod space;
 pub mod stats;

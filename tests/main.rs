@@ -2,12 +2,17 @@
 #![allow(clippy::unwrap_used, clippy::expect_used)]
 
 mod chapters;
+mod checks;
 mod cli;
 mod determinism;
 mod film;
 mod flatland;
+mod gather;
 mod hard_cases;
+mod hit_or_miss;
+mod mistakes;
 mod mutations;
 mod tidy;
 mod truth;
+mod twins;
 mod warps;

@@ -18,6 +18,7 @@ mod area;
 mod axis;
 mod bars;
 mod canvas;
+mod convergence;
 mod curves;
 pub mod flat;
 mod legend;
@@ -28,6 +29,7 @@ mod tree;
 
 pub use axis::Axis;
 pub use bars::{Bar, BarChart, BarGroup};
+pub use convergence::convergence_chart;
 pub use curves::{Curve, CurveChart, Point, Style};
 pub use rays::{Arc, Bounds, Circle, Dot, Label, RayDrawing, Stroke, StrokeKind};
 pub use tree::{EdgeKind, TreeDrawing, TreeNode};

@@ -1,4 +1,21 @@
 //! Estimators that answer one question each, smaller than a picture.
+//!
+//! * [`hit_or_miss`], [`many_dimensions`]: integrals, before there is any light;
+//! * [`directions`], [`gather`]: the light over a surface, in the flat world and in space;
+//! * [`world`], [`worlds`], [`scene_world`]: where the gathering happens;
+//! * [`furnace`]: the reading every right estimator must give;
+//! * [`mistakes`], [`doctor`]: what wrong ones read, and how to tell;
+//! * [`aperture`], [`two_ways`]: light that looks for the eye.
 
 pub mod aperture;
+pub mod directions;
+pub mod doctor;
+pub mod furnace;
+pub mod gather;
+pub mod hit_or_miss;
+pub mod many_dimensions;
+pub mod mistakes;
+pub mod scene_world;
 pub mod two_ways;
+pub mod world;
+pub mod worlds;

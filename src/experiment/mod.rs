@@ -1,3 +1,9 @@
 //! Repeated runs that end in data.
+//!
+//! * [`convergence`]: how an estimator's error falls with its samples;
+//! * [`named`]: the estimators one can ask for by name;
+//! * [`price`]: what the same error costs two ways.
 
+pub mod convergence;
+pub mod named;
 pub mod price;

@@ -27,6 +27,11 @@ pub fn sin_cos(x: f32) -> (f32, f32) {
     libm::sincosf(x)
 }
 
+/// The angle of the point `(x, y)` from the x axis, in `[-π, π]`.
+pub fn atan2(y: f32, x: f32) -> f32 {
+    libm::atan2f(y, x)
+}
+
 /// `1 - cos θ` from `sin² θ`, for θ in `[0, π/2]`.
 ///
 /// The plain form `1 - sqrt(1 - sin²)` cancels: it is 7 % off at `sin = 1e-3` and exactly zero

@@ -21,6 +21,8 @@ pub enum Purpose {
     Emission = 4,
     /// Where a camera ray passes the pupil.
     Lens = 5,
+    /// Where an integrand without any light is evaluated.
+    Integrand = 6,
 }
 
 /// The random numbers of one camera sample.

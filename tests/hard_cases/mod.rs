@@ -18,6 +18,8 @@
 //! | A12 ties | `hierarchy::a12_*` | always the lowest id | |
 //! | A16 invalid rays | `geometry::a16_*` | 0 of 10⁴ hit | |
 //! | A20 ends of uniforms | `warps::a20_*` | lowest cosine 2.4e-4, unit to 7.8e-8 | |
+//! | A20 ends of uniforms | `twins::a20_*` | unit to 1.2e-7, inverse to 1.8e-7 | |
+//! | A22 rim of the half disk | `twins::a22_*` | sine off by 8.9e-8 of itself, never negative | -4.4e-8 at the rim |
 
 mod draw;
 mod geometry;

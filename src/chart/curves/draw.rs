@@ -20,7 +20,7 @@ impl Style {
         self != Self::Marks
     }
 
-    fn pen(self, index: usize) -> Pen {
+    pub(super) fn pen(self, index: usize) -> Pen {
         match self {
             Self::Dashed => Pen::dashed(palette(index), 2),
             _ => Pen::solid(palette(index), 2),
@@ -44,7 +44,7 @@ impl CurveChart {
         let mut order: Vec<(usize, &Curve)> = self.curves.iter().enumerate().collect();
         order.sort_by_key(|(_, curve)| curve.style != Style::Dashed);
         for (index, curve) in order {
-            curve.draw(&plot, curve.style.pen(index))?;
+            curve.draw(&plot, curve.pen(index))?;
         }
         if !keys.is_empty() {
             draw_column(page, legend, &keys)?;
@@ -58,7 +58,7 @@ impl CurveChart {
             .filter(|(_, curve)| !curve.name.is_empty())
             .map(|(index, curve)| Key {
                 name: curve.name.clone(),
-                pen: curve.style.pen(index),
+                pen: curve.pen(index),
                 line: curve.style.has_line(),
                 mark: curve.style.has_marks(),
             })

@@ -4,7 +4,7 @@ mod draw;
 
 use super::ChartError;
 use super::axis::{Axis, Scale};
-use super::canvas::{PAGE, paint};
+use super::canvas::{PAGE, Pen, paint};
 
 /// Several curves over one pair of axes.
 #[derive(Clone, Debug, Default)]
@@ -32,6 +32,8 @@ pub struct Curve {
     pub points: Vec<Point>,
     /// How they are drawn.
     pub style: Style,
+    /// Place of its colour in the palette; its own place among the curves where there is none.
+    pub colour: Option<usize>,
 }
 
 /// A point of a curve.
@@ -75,6 +77,7 @@ impl Curve {
             name: name.into(),
             points: points.into_iter().map(measured).collect(),
             style,
+            colour: None,
         }
     }
 
@@ -89,7 +92,21 @@ impl Curve {
             name: name.into(),
             points: points.into_iter().map(exact).collect(),
             style,
+            colour: None,
         }
+    }
+
+    /// The same in the colour that has this place in the palette.
+    #[must_use]
+    pub fn coloured(self, place: usize) -> Self {
+        Self {
+            colour: Some(place),
+            ..self
+        }
+    }
+
+    fn pen(&self, index: usize) -> Pen {
+        self.style.pen(self.colour.unwrap_or(index))
     }
 }
 
