@@ -110,3 +110,64 @@ fn ch02_whitteds_tree() {
     }
     assert!(number(&data, "tunnel_error", "value") <= 1e-6);
 }
+
+/// |value - exact| within four of its own standard errors, or equal where it has none.
+fn near(data: &Value, name: &str) {
+    let [value, exact, error] = ["value", "exact", "error"].map(|p| number(data, name, p));
+    assert!(
+        (value - exact).abs() <= 4.0 * error + 1e-9,
+        "{name}: {value} ± {error} for {exact}"
+    );
+}
+
+#[test]
+fn ch05_half_disk() {
+    let data = check(env!("CARGO_BIN_EXE_ch05-half-disk"), "ch05");
+    for name in [
+        "reading_correct",
+        "reading_printed",
+        "reading_over_pi",
+        "reading_cosine",
+        "reading_one_more",
+        "reading_transposed",
+        "segment",
+        "segment_printed",
+        "room",
+        "slope_correct",
+        "slope_literal",
+    ] {
+        near(&data, name);
+    }
+    // The readings of the mistakes are far from the right one, in their own errors.
+    for name in [
+        "reading_printed",
+        "reading_over_pi",
+        "reading_cosine",
+        "reading_one_more",
+    ] {
+        let off = (number(&data, name, "value") - 1.0).abs();
+        assert!(off > 20.0 * number(&data, name, "error"), "{name}");
+    }
+    assert!(number(&data, "slope_correct", "value") < -0.4);
+    assert!(number(&data, "slope_literal", "value") > -0.1);
+}
+
+#[test]
+fn ch07_gather() {
+    let data = check(env!("CARGO_BIN_EXE_ch07-gather"), "ch07");
+    for name in [
+        "bounce_0", "bounce_1", "bounce_2", "bounce_3", "sphere", "disk", "square",
+    ] {
+        near(&data, name);
+    }
+    assert_eq!(number(&data, "rays_16_2", "value"), 273.0);
+    assert_eq!(number(&data, "rays_16_4", "value"), 69_905.0);
+    // Bleeding is all in the indirect light: exactly none without it.
+    assert_eq!(number(&data, "bleeding_red_0", "value"), 1.0);
+    let tinge = number(&data, "bleeding_red_4", "value") - 1.0;
+    assert!(
+        tinge > 20.0 * number(&data, "bleeding_red_4", "error"),
+        "{tinge}"
+    );
+    assert!(number(&data, "bleeding_green_4", "value") < 1.0);
+}

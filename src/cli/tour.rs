@@ -11,6 +11,8 @@ use std::sync::atomic::Ordering;
 const CHAPTERS: &[(&str, &str)] = &[
     ("ch01", "ch01-from-the-eye"),
     ("ch02", "ch02-whitteds-tree"),
+    ("ch05", "ch05-half-disk"),
+    ("ch07", "ch07-gather"),
 ];
 
 /// Run the chapters in order; write the gallery page and the ledger.

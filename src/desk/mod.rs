@@ -62,6 +62,9 @@ pub enum DeskError {
     /// A file could not be written.
     #[error("{0}: {1}")]
     File(String, std::io::Error),
+    /// Something the chapter needs is not there.
+    #[error("{0}")]
+    Missing(String),
     /// Threads could not be started.
     #[error("the threads cannot be started: {0}")]
     Threads(#[from] rayon::ThreadPoolBuildError),

@@ -6,6 +6,7 @@
 
 use super::directions::Recipe;
 use super::gather::Gather;
+use super::world::World;
 use super::worlds::{self, Furnace};
 use crate::sampling::stream::Stream;
 use crate::space::{Ray, Space};
@@ -38,6 +39,46 @@ pub fn open<S: Space>(
         .collect()
 }
 
+/// What bounce `bounce` adds in a closed furnace, by `walks` random walks. The truth is
+/// `albedo^bounce`.
+pub fn bounce<S: Space>(
+    recipe: Recipe,
+    albedo: f32,
+    bounce: u32,
+    walks: u32,
+    seed: u64,
+) -> Estimate {
+    // The same walk with and without its last step: the difference is the step's light alone.
+    let walk = |depth, i| radiance::<S>(recipe, albedo, depth, &Stream::new(seed, i, 0));
+    (0..walks)
+        .map(|i| match bounce {
+            0 => walk(0, i),
+            k => walk(k, i) - walk(k - 1, i),
+        })
+        .collect()
+}
+
+/// Irradiance `∫ L cos θ dω` of a floor under a sky, by `samples` uniform directions.
+pub fn irradiance<S: Space, W: World<S, Light = f32>>(
+    mut sky: W,
+    samples: u32,
+    seed: u64,
+) -> Estimate {
+    let gather = Gather {
+        samples: 1,
+        depth: 1,
+        recipe: Recipe::Uniform,
+    };
+    // A white floor reflects LAMBERT of it.
+    let floor = worlds::floor::<S>(1.0);
+    (0..samples)
+        .map(|i| {
+            let reflected = gather.reflected(&mut sky, &floor, &Stream::new(seed, i, 0));
+            f64::from(reflected) / f64::from(S::LAMBERT)
+        })
+        .collect()
+}
+
 /// Radiance of a closed furnace with at most `depth` bounces, by `walks` random walks: a gather
 /// with one direction at each surface. The truth is [`Furnace::radiance`].
 pub fn closed<S: Space>(
@@ -47,6 +88,13 @@ pub fn closed<S: Space>(
     walks: u32,
     seed: u64,
 ) -> Estimate {
+    (0..walks)
+        .map(|i| radiance::<S>(recipe, albedo, depth, &Stream::new(seed, i, 0)))
+        .collect()
+}
+
+/// One random walk of a closed furnace.
+fn radiance<S: Space>(recipe: Recipe, albedo: f32, depth: u32, stream: &Stream) -> f64 {
     let walk = Gather {
         samples: 1,
         depth,
@@ -56,10 +104,5 @@ pub fn closed<S: Space>(
         origin: S::from_plane(Vec2::ZERO),
         direction: S::from_plane(Vec2::Y),
     };
-    (0..walks)
-        .map(|i| {
-            let stream = Stream::new(seed, i, 0);
-            f64::from(walk.li(&mut Furnace { albedo }, &eye, &stream))
-        })
-        .collect()
+    f64::from(walk.li(&mut Furnace { albedo }, &eye, stream))
 }

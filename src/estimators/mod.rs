@@ -15,6 +15,7 @@ pub mod gather;
 pub mod hit_or_miss;
 pub mod many_dimensions;
 pub mod mistakes;
+pub mod plane_world;
 pub mod scene_world;
 pub mod two_ways;
 pub mod world;

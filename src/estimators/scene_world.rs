@@ -2,13 +2,15 @@
 //!
 //! Diffuse surfaces only: mirrors and glass have no place in the seven steps, and count as black.
 
+use super::gather::Gather;
 use super::world::{Hit, World};
 use crate::color::Rgb;
 use crate::geometry::{self, Surface};
+use crate::integrators::Integrator;
 use crate::lights::LightSample;
 use crate::materials::Material;
 use crate::sampling::stream::{Purpose, Stream};
-use crate::scene::Tracer;
+use crate::scene::{self, Tracer};
 use crate::space::{Ray, Solid};
 use glam::Vec3;
 
@@ -25,26 +27,42 @@ impl<'t, 's> SceneWorld<'t, 's> {
     }
 }
 
+/// The point of a scene that a ray along `direction` meets.
+fn point(hit: &scene::Hit, direction: Vec3) -> Hit<Solid, Rgb> {
+    let Surface { p, error, n } = hit.surface;
+    let albedo = match hit.object.material {
+        Some(Material::Lambert(lambert)) => lambert.albedo,
+        _ => Rgb::BLACK,
+    };
+    Hit {
+        p,
+        error,
+        n: if n.dot(direction) < 0.0 { n } else { -n },
+        albedo,
+        emission: hit.emitted(-direction),
+        // Every object that emits is one of the scene's lights.
+        aimed: true,
+    }
+}
+
+/// Gathering makes pictures, too: of diffuse scenes, cut off at a depth.
+impl Integrator for Gather {
+    fn li(&self, tracer: &mut Tracer, ray: &geometry::Ray, stream: &Stream) -> Rgb {
+        let Some(hit) = tracer.camera_ray(ray) else {
+            return tracer.scene().background;
+        };
+        let at = point(&hit, ray.direction);
+        at.emission + self.reflected(&mut SceneWorld::new(tracer), &at, stream)
+    }
+}
+
 impl World<Solid> for SceneWorld<'_, '_> {
     type Light = Rgb;
 
     fn first_hit(&mut self, ray: &Ray<Solid>) -> Option<Hit<Solid, Rgb>> {
         let ray = geometry::Ray::new(ray.origin, ray.direction);
         let hit = self.tracer.secondary_ray(&ray)?;
-        let Surface { p, error, n } = hit.surface;
-        let albedo = match hit.object.material {
-            Some(Material::Lambert(lambert)) => lambert.albedo,
-            _ => Rgb::BLACK,
-        };
-        Some(Hit {
-            p,
-            error,
-            n: if n.dot(ray.direction) < 0.0 { n } else { -n },
-            albedo,
-            emission: hit.emitted(-ray.direction),
-            // Every object that emits is one of the scene's lights.
-            aimed: true,
-        })
+        Some(point(&hit, ray.direction))
     }
 
     fn environment(&self, _: Vec3) -> Rgb {

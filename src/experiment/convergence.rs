@@ -176,6 +176,14 @@ fn seed_of(seed: u64, replicate: u32, size: u32) -> u64 {
 }
 
 impl Convergence {
+    /// The fitted line, also where it is too uncertain to be called sufficient.
+    pub fn line(&self) -> Option<&Fit> {
+        match &self.fit {
+            Ok(fit) | Err(Insufficient::Wide(fit)) => Some(fit),
+            Err(_) => None,
+        }
+    }
+
     /// One line for each size, with a header.
     pub fn to_csv(&self) -> String {
         let mut csv = String::from("name,samples,rays,bias,bias_error,rmse,rmse_error,variance\n");

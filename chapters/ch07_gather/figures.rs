@@ -1,0 +1,183 @@
+//! The figures of this chapter: a room bounce by bounce, its bleeding walls, and how trees grow.
+
+use glam::Vec3;
+use halfdisk::chart::{Axis, Curve, CurveChart, Style};
+use halfdisk::desk::{Desk, DeskError, Number};
+use halfdisk::estimators::directions::Recipe;
+use halfdisk::estimators::gather::Gather;
+use halfdisk::estimators::world::Counted;
+use halfdisk::estimators::worlds::Furnace;
+use halfdisk::geometry::Ray;
+use halfdisk::integrators::Integrator;
+use halfdisk::render::{Film, Pixel, Rendered};
+use halfdisk::sampling::stream::Stream;
+use halfdisk::scene::{Scene, Tracer};
+use halfdisk::space::{self, Solid};
+use halfdisk::stats::Estimate;
+use rayon::prelude::*;
+
+/// Direct light, what one and two bounces add, and all of it.
+pub fn pictures(desk: &mut Desk, scene: &Scene, films: &[Rendered]) -> Result<(), DeskError> {
+    let [direct, one, two, all] = films else {
+        return Err(DeskError::Missing("four pictures".to_owned()));
+    };
+    desk.picture("direct.png", "Direct light.", &direct.film, scene)?;
+    let added = difference(&one.film, &direct.film);
+    desk.picture(
+        "one.png",
+        "What one bounce between walls adds.",
+        &added,
+        scene,
+    )?;
+    let added = difference(&two.film, &one.film);
+    desk.picture("two.png", "What a second bounce adds.", &added, scene)?;
+    desk.picture(
+        "all.png",
+        "Up to three bounces, together.",
+        &all.film,
+        scene,
+    )?;
+    for (k, pair) in films.windows(2).enumerate() {
+        let added = pair[1].film.mean().0 - pair[0].film.mean().0;
+        let says = format!("mean of the picture: what bounce {} adds", k + 1);
+        desk.value(&format!("adds_{}", k + 1), &says, added);
+    }
+    desk.value(
+        "adds_0",
+        "mean of the picture: direct light and lamp",
+        direct.film.mean().0,
+    );
+    Ok(())
+}
+
+/// What the second picture lacks. Both are of the same random numbers, so this is the light of
+/// the further bounce alone.
+fn difference(more: &Film, less: &Film) -> Film {
+    let pixels = more.pixels().iter().zip(less.pixels()).map(|(a, b)| {
+        let channel = |i: usize| -> Estimate {
+            std::iter::once(a.channels[i].mean() - b.channels[i].mean()).collect()
+        };
+        Pixel {
+            channels: [0, 1, 2].map(channel),
+        }
+    });
+    Film::new(more.width(), pixels.collect())
+}
+
+/// Red over green along the back wall, from the red wall to the green one; the rays it took.
+pub fn bleeding(desk: &mut Desk, scene: &Scene, walks: u32) -> Result<u64, DeskError> {
+    let mut curves = Vec::new();
+    let mut rays = 0;
+    for (depth, name) in [
+        (0, "direct light only"),
+        (1, "one bounce"),
+        (4, "four bounces"),
+    ] {
+        let walk = Gather {
+            samples: 1,
+            depth,
+            recipe: Recipe::Cosine,
+        };
+        let mut points = Vec::new();
+        for step in 0..12 {
+            // Above the blocks, 430 high; the camera is at (278, 278, -800).
+            let x = 15.0 + 525.0 * step as f32 / 11.0;
+            let towards = Ray::new(Vec3::new(x - 278.0, 430.0 - 278.0, 1300.0), Vec3::Z);
+            let (ratio, error, traced) =
+                red_over_green(scene, &walk, &towards, walks, desk.options.seed);
+            points.push((f64::from(x), ratio, error));
+            rays += traced;
+        }
+        if let (Some(red), Some(green)) = (points.first(), points.last()) {
+            for (wall, &(_, ratio, error)) in [("red", red), ("green", green)] {
+                let says = format!("red over green on the back wall by the {wall} wall: {name}");
+                let number = Number {
+                    error: Some(error),
+                    ..Number::new(&says, ratio)
+                };
+                desk.number(&format!("bleeding_{wall}_{depth}"), number);
+            }
+        }
+        curves.push(Curve::measured(name, Style::MarksAndLine, points));
+    }
+    let chart = CurveChart {
+        title: "Red over green on the white back wall".to_owned(),
+        x_label: "x: from the red wall at 0 to the green one at 555".to_owned(),
+        y_label: "ratio of the radiances".to_owned(),
+        curves,
+        ..CurveChart::default()
+    };
+    let caption = "Light by way of the coloured walls tinges the white one between them.";
+    desk.figure("bleeding.svg", caption, chart.to_svg()?)?;
+    Ok(rays)
+}
+
+fn red_over_green(
+    scene: &Scene,
+    walk: &Gather,
+    ray: &Ray,
+    walks: u32,
+    seed: u64,
+) -> (f64, f64, u64) {
+    let samples: Vec<([f64; 2], u64)> = (0..walks)
+        .into_par_iter()
+        .map(|i| {
+            let mut tracer = Tracer::new(scene);
+            let li = Integrator::li(walk, &mut tracer, ray, &Stream::new(seed, i, 0));
+            ([f64::from(li.r), f64::from(li.g)], tracer.counts().total())
+        })
+        .collect();
+    let green: Estimate = samples.iter().map(|([_, g], _)| *g).collect();
+    let red: Estimate = samples.iter().map(|([r, _], _)| *r).collect();
+    let ratio = red.mean() / green.mean();
+    // To first order the ratio's error is that of the mean of r - ratio g, over g.
+    let residual: Estimate = samples.iter().map(|([r, g], _)| r - ratio * g).collect();
+    let rays = samples.iter().map(|(_, rays)| rays).sum();
+    (ratio, residual.std_error() / green.mean(), rays)
+}
+
+/// Rays of a tree against its depth: counted for some, then by the formula.
+pub fn growth(desk: &mut Desk, seed: u64) -> Result<(), DeskError> {
+    for (samples, depth) in [(16, 2), (16, 4), (4, 4)] {
+        let gather = Gather {
+            samples,
+            depth,
+            recipe: Recipe::Cosine,
+        };
+        let mut room = Counted {
+            world: Furnace { albedo: 0.5 },
+            rays: 0,
+        };
+        let eye = space::Ray::<Solid> {
+            origin: Vec3::ZERO,
+            direction: Vec3::Y,
+        };
+        gather.li(&mut room, &eye, &Stream::new(seed, 0, 0));
+        let says = format!("rays of a tree: {samples} directions, depth {depth}");
+        let name = format!("rays_{samples}_{depth}");
+        desk.known(&name, &says, room.rays as f64, gather.rays() as f64);
+    }
+    let tree = |samples: u32| {
+        let rays = move |depth: u32| {
+            Gather {
+                samples,
+                depth,
+                recipe: Recipe::Cosine,
+            }
+            .rays() as f64
+        };
+        let points = (0..=6).map(move |depth| (f64::from(depth), rays(depth)));
+        Curve::new(format!("{samples} directions"), Style::MarksAndLine, points)
+    };
+    let chart = CurveChart {
+        title: "Rays for one look at one pixel".to_owned(),
+        x_label: "depth".to_owned(),
+        y_label: "rays".to_owned(),
+        x_axis: Axis::Linear,
+        y_axis: Axis::Log,
+        curves: vec![tree(64), tree(16), tree(4), tree(1)],
+    };
+    let caption = "The tree of N directions at each surface grows as the power of the depth; with \
+                   one direction it is a path.";
+    desk.figure("chart.svg", caption, chart.to_svg()?)
+}
