@@ -38,15 +38,17 @@ pub fn pictures(desk: &mut Desk, scene: &Scene, films: &[Rendered]) -> Result<()
         scene,
     )?;
     for (k, pair) in films.windows(2).enumerate() {
-        let added = pair[1].film.mean().0 - pair[0].film.mean().0;
+        let ((less, error), (more, error_more)) = (pair[0].film.mean(), pair[1].film.mean());
         let says = format!("mean of the picture: what bounce {} adds", k + 1);
-        desk.value(&format!("adds_{}", k + 1), &says, added);
+        let number = Number::new(&says, more - less);
+        // The two share their samples, so this overstates the error of their difference.
+        let error = Some((error * error + error_more * error_more).sqrt());
+        desk.number(&format!("adds_{}", k + 1), Number { error, ..number });
     }
-    desk.value(
-        "adds_0",
-        "mean of the picture: direct light and lamp",
-        direct.film.mean().0,
-    );
+    let (mean, error) = direct.film.mean();
+    let number = Number::new("mean of the picture: direct light and lamp", mean);
+    let error = Some(error);
+    desk.number("adds_0", Number { error, ..number });
     Ok(())
 }
 
