@@ -171,3 +171,48 @@ fn ch07_gather() {
     );
     assert!(number(&data, "bleeding_green_4", "value") < 1.0);
 }
+
+#[test]
+fn ch04_hit_or_miss() {
+    let data = check(env!("CARGO_BIN_EXE_ch04-hit-or-miss"), "ch04");
+    let parts = |name: &str| ["value", "exact", "error"].map(|part| number(&data, name, part));
+    // Each with the largest relative error at which the check still says something.
+    for (name, widest) in [
+        ("pi_darts", 0.002),
+        ("pi_mean", 0.001),
+        ("sigma_darts", 0.0025),
+        ("sigma_mean", 0.0025),
+        ("variance_ratio", 0.005),
+        ("coverage", 0.005),
+        ("slope_darts", 0.03),
+        ("slope_mean", 0.03),
+        ("slope_step", 0.03),
+        ("worse", 0.02),
+    ] {
+        let [value, exact, error] = parts(name);
+        let z = (value - exact) / error;
+        assert!(z.abs() <= 4.0, "{name}: {value} for {exact}, z = {z}");
+        assert!(error < widest * exact.abs(), "{name}: the error is {error}");
+    }
+    // Two equal runs would be worse every other time, and four errors away that is refused.
+    let [worse, _, error] = parts("worse");
+    assert!((worse - 0.5).abs() > 4.0 * error);
+    // The band is made for 95 of 100.
+    assert!((parts("coverage")[0] - 0.95).abs() <= 0.015);
+    let [jittered, law, error] = parts("slope_jittered");
+    assert!((jittered - law).abs() <= 0.03, "{jittered}");
+    assert!(
+        (jittered + 0.5).abs() > 4.0 * error,
+        "not the rate of darts"
+    );
+    assert_eq!(number(&data, "crossing", "value"), 4.0);
+    for d in [1, 2, 3, 4, 6] {
+        let name = format!("grid_{d}");
+        let difference = number(&data, &name, "value") / number(&data, &name, "exact") - 1.0;
+        assert!(difference.abs() < 1e-4, "{name}: {difference}");
+    }
+    for d in 1..=8 {
+        let [value, exact, error] = parts(&format!("chance_{d}"));
+        assert!((value - exact).abs() <= 4.0 * error, "d = {d}: {value}");
+    }
+}

@@ -11,6 +11,7 @@ use std::sync::atomic::Ordering;
 const CHAPTERS: &[(&str, &str)] = &[
     ("ch01", "ch01-from-the-eye"),
     ("ch02", "ch02-whitteds-tree"),
+    ("ch04", "ch04-hit-or-miss"),
     ("ch05", "ch05-half-disk"),
     ("ch07", "ch07-gather"),
 ];
@@ -35,9 +36,16 @@ fn chapter(text: &str) -> Result<usize, String> {
     number
         .parse::<usize>()
         .ok()
-        .and_then(|n| n.checked_sub(1))
-        .filter(|place| *place < CHAPTERS.len())
-        .ok_or_else(|| format!("chapters go from 01 to {:02}", CHAPTERS.len()))
+        .and_then(|n| {
+            CHAPTERS
+                .iter()
+                .position(|(id, _)| *id == format!("ch{n:02}"))
+        })
+        .ok_or_else(|| {
+            let numbers = CHAPTERS.iter().map(|(id, _)| id.trim_start_matches("ch"));
+            let numbers: Vec<&str> = numbers.collect();
+            format!("the chapters are {}", numbers.join(", "))
+        })
 }
 
 impl Tour {

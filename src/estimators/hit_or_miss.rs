@@ -10,6 +10,7 @@ use crate::sampling::hemisphere;
 use crate::sampling::stream::{Numbers, Purpose, Stream};
 use crate::stats::Estimate;
 
+// ANCHOR: darts
 /// π by `n` darts thrown at the unit square: 4 for each that lands in the quarter disc.
 ///
 /// Variance of one dart: `π (4 - π) = 2.6968`, a standard deviation of 1.64218.
@@ -17,6 +18,7 @@ pub fn darts(n: u32, seed: u64) -> Estimate {
     let mut u = numbers(seed);
     (0..n).map(|_| dart(u.two())).collect()
 }
+// ANCHOR_END: darts
 
 /// π as the mean of `4 √(1 - x²)`, the height of the disc over `n` random places.
 ///
@@ -55,10 +57,12 @@ pub fn step(n: u32, seed: u64) -> Estimate {
         .collect()
 }
 
+// ANCHOR: dart
 fn dart([x, y]: [f32; 2]) -> f64 {
     let (x, y) = (f64::from(x), f64::from(y));
     if x * x + y * y <= 1.0 { 4.0 } else { 0.0 }
 }
+// ANCHOR_END: dart
 
 fn height(x: f64) -> f64 {
     4.0 * (1.0 - x * x).sqrt()

@@ -21,6 +21,8 @@ use crate::chart::legend::{Key, draw_strip, strip_height};
 impl StrokeKind {
     pub(super) fn pen(self) -> Pen {
         match self {
+            Self::Miss => Pen::solid(VERMILLION, 2),
+            Self::Hit => Pen::solid(BLUE, 2),
             Self::Lost => Pen::solid(PALE, 1),
             Self::ToSky => Pen::solid(SKY, 1),
             Self::ToSurface => Pen::solid(BLUE, 1),
@@ -35,6 +37,7 @@ impl StrokeKind {
             Self::Reflected => Pen::solid(BLUE, 2),
             Self::Transmitted => Pen::solid(VERMILLION, 2),
             Self::Useful => Pen::solid(VERMILLION, 2),
+            Self::Outline => Pen::solid(INK, 2),
             Self::Lamp => Pen::solid(ORANGE, 6),
             Self::Wall => Pen::solid(INK, 4),
         }
@@ -42,6 +45,8 @@ impl StrokeKind {
 
     fn name(self) -> &'static str {
         match self {
+            Self::Miss => "miss",
+            Self::Hit => "hit",
             Self::Lost => "lost ray",
             Self::ToSky => "ray to the sky",
             Self::ToSurface => "ray to a surface",
@@ -56,6 +61,7 @@ impl StrokeKind {
             Self::Reflected => "reflected",
             Self::Transmitted => "transmitted",
             Self::Useful => "useful ray",
+            Self::Outline => "outline",
             Self::Lamp => "lamp",
             Self::Wall => "wall",
         }

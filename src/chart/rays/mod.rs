@@ -68,6 +68,10 @@ impl Stroke {
 /// What a stroke stands for. The order is the order of drawing: later kinds lie on top.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum StrokeKind {
+    /// A mark where a dart missed.
+    Miss,
+    /// A mark where a dart hit.
+    Hit,
     /// A ray that found nothing.
     Lost,
     /// A ray that leaves the world.
@@ -96,6 +100,8 @@ pub enum StrokeKind {
     Transmitted,
     /// A ray that carries light to where it is wanted.
     Useful,
+    /// The edge of a figure, such as the circle that darts are thrown at.
+    Outline,
     /// A surface that shines.
     Lamp,
     /// Any other surface.
