@@ -216,3 +216,42 @@ fn ch04_hit_or_miss() {
         assert!((value - exact).abs() <= 4.0 * error, "d = {d}: {value}");
     }
 }
+
+#[test]
+fn ch06_bending() {
+    let data = check(env!("CARGO_BIN_EXE_ch06-bending"), "ch06");
+    for name in ["mean_cos", "variance_uniform", "gain", "slope_uniform"] {
+        for world in ["_flat", "_solid"].map(|w| if name.starts_with("slope") { "" } else { w }) {
+            let name = format!("{name}{world}");
+            let [value, exact, error] =
+                ["value", "exact", "error"].map(|p| number(&data, &name, p));
+            let z = (value - exact) / error;
+            assert!(z.abs() <= 4.0, "{name}: {value} for {exact}, z = {z}");
+        }
+    }
+    for world in ["flat", "solid"] {
+        for law in ["uniform", "cosine", "cos_n"] {
+            let p = number(&data, &format!("p_{law}_{world}"), "value");
+            assert!(p > 1e-3, "{world}, {law}: {p}");
+        }
+        let p = number(&data, &format!("p_wrong_{world}"), "value");
+        assert!(p < 1e-6, "{world}: {p}");
+        // Every sample lies a quarter from the mean, so nothing is left to chance.
+        let variance = number(&data, &format!("variance_cosine_{world}"), "value");
+        assert!((variance - 0.0625).abs() < 1e-6, "{world}: {variance}");
+        let variance = number(&data, &format!("furnace_variance_{world}"), "value");
+        assert!(variance < 1e-12, "{world}: {variance:e}");
+        assert!(number(&data, &format!("gain_{world}"), "value") > 3.0);
+    }
+    assert!(number(&data, "p_polar_solid", "value") < 1e-6);
+    // Strata of a line, of a grid, of a grid with an edge: each law is out of the others' reach.
+    for (name, law, within) in [
+        ("slope_stratified", -1.5, 0.06),
+        ("slope_grid", -1.0, 0.08),
+        ("slope_edge", -0.75, 0.1),
+        ("slope_edge_cosine", -0.75, 0.1),
+    ] {
+        let slope = number(&data, name, "value");
+        assert!((slope - law).abs() < within, "{name}: {slope}");
+    }
+}

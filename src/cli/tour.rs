@@ -13,6 +13,7 @@ const CHAPTERS: &[(&str, &str)] = &[
     ("ch02", "ch02-whitteds-tree"),
     ("ch04", "ch04-hit-or-miss"),
     ("ch05", "ch05-half-disk"),
+    ("ch06", "ch06-bending"),
     ("ch07", "ch07-gather"),
 ];
 

@@ -32,6 +32,7 @@ pub fn invert_uniform(w: Vec3) -> [f32; 2] {
     [as_uniform(one_minus_cos), turn(w)]
 }
 
+// ANCHOR: cosine
 /// Draws a direction of the upper hemisphere, proportionally to the cosine with the normal.
 ///
 /// * Domain: `u` in `[0, 1)²` → unit `ω` with `ω.z > 0`.
@@ -50,6 +51,7 @@ pub fn sample_cosine(u: [f32; 2]) -> Vec3 {
 pub fn pdf_cosine(w: Vec3) -> f32 {
     w.z.max(0.0) * FRAC_1_PI
 }
+// ANCHOR_END: cosine
 
 /// The uniforms from which [`sample_cosine`] makes `w`: `sin² θ` and `φ / 2π`.
 pub fn invert_cosine(w: Vec3) -> [f32; 2] {
