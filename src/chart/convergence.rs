@@ -1,6 +1,6 @@
 //! Convergence as a chart.
 
-use super::{Axis, Curve, CurveChart, Style};
+use super::{Axis, Curve, CurveChart, Point, Style};
 use crate::experiment::convergence::Convergence;
 use crate::stats::slope::{Fit, Insufficient};
 
@@ -27,9 +27,19 @@ fn curves(run: &Convergence) -> Vec<Curve> {
         .sizes
         .iter()
         .filter(|size| size.rmse > 0.0)
-        .map(|size| (f64::from(size.samples), size.rmse, size.rmse_error));
+        .map(|size| Point {
+            x: f64::from(size.samples),
+            y: size.rmse,
+            // One replicate has an error, but none of that error.
+            error: Some(size.rmse_error).filter(|error| error.is_finite()),
+        });
     let name = format!("{}: {}", run.name, run.slope_text());
-    let marks = |name| Curve::measured(name, Style::Marks, measured);
+    let marks = |name| Curve {
+        name,
+        points: measured.collect(),
+        style: Style::Marks,
+        colour: None,
+    };
     if let Ok(Fit { line, .. }) | Err(Insufficient::Wide(Fit { line, .. })) = run.fit {
         let ends = [run.sizes.first(), run.sizes.last()];
         let points = ends.into_iter().flatten().map(|size| {

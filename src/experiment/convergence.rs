@@ -3,11 +3,13 @@
 //! Every run has random numbers of its own, also from one size to the next: points of one run
 //! that goes on are correlated, and intervals drawn from them too narrow.
 
+use crate::render::Progress;
 use crate::stats::Estimate;
 use crate::stats::slope::{self, Fit, Insufficient};
 use rayon::prelude::*;
 use serde::Serialize;
 use std::fmt::Write as _;
+use std::sync::atomic::{AtomicU64, Ordering};
 
 /// An estimator with a name and a known truth.
 #[derive(Clone, Copy, Debug)]
@@ -112,17 +114,52 @@ impl Sizes {
 /// Runs an estimator as designed, on all threads; their number changes no bit.
 pub fn converge(estimator: &Estimator, design: &Design) -> Convergence {
     let sizes = estimator.sizes.list(design);
-    // errors[r][k], each run under a seed that no other has.
-    let errors: Vec<Vec<f64>> = (0..design.replicates)
+    let errors = (0..design.replicates)
+        .into_par_iter()
+        .map(|r| replicate(estimator, design, &sizes, r))
+        .collect();
+    gathered(estimator, design, &sizes, errors)
+}
+
+/// The same, telling after each run at all sizes how many are done; nothing once asked to stop.
+pub fn converge_watched(
+    estimator: &Estimator,
+    design: &Design,
+    progress: &impl Progress,
+) -> Option<Convergence> {
+    let sizes = estimator.sizes.list(design);
+    let done = AtomicU64::new(0);
+    let errors: Option<Vec<_>> = (0..design.replicates)
         .into_par_iter()
         .map(|r| {
-            let run = |(k, &n): (usize, &u32)| {
-                let seed = seed_of(design.seed, r, k as u32);
-                (estimator.run)(n, seed) - estimator.truth
-            };
-            sizes.iter().enumerate().map(run).collect()
+            if progress.stop() {
+                return None;
+            }
+            let row = replicate(estimator, design, &sizes, r);
+            let done = done.fetch_add(1, Ordering::Relaxed) + 1;
+            progress.tell(done, u64::from(design.replicates));
+            Some(row)
         })
         .collect();
+    Some(gathered(estimator, design, &sizes, errors?))
+}
+
+/// The errors of one replicate at each size, every run under a seed that no other has.
+fn replicate(estimator: &Estimator, design: &Design, sizes: &[u32], r: u32) -> Vec<f64> {
+    let run = |(k, &n): (usize, &u32)| {
+        let seed = seed_of(design.seed, r, k as u32);
+        (estimator.run)(n, seed) - estimator.truth
+    };
+    sizes.iter().enumerate().map(run).collect()
+}
+
+/// What `errors[r][k]` of all replicates and sizes amount to.
+fn gathered(
+    estimator: &Estimator,
+    design: &Design,
+    sizes: &[u32],
+    errors: Vec<Vec<f64>>,
+) -> Convergence {
     let squares: Vec<Vec<f64>> = errors
         .iter()
         .map(|row| row.iter().map(|e| e * e).collect())
@@ -212,7 +249,7 @@ impl Convergence {
     /// The slope and its 95 % interval in a few words, or why there is none.
     pub fn slope_text(&self) -> String {
         match &self.fit {
-            Ok(fit) => format!("slope {:.3} ± {:.3}", fit.line.slope, fit.half_width),
+            Ok(fit) => fit.to_string(),
             Err(why) => format!("insufficient: {why}"),
         }
     }

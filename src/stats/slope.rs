@@ -4,8 +4,10 @@
 //! is too narrow. Here every size is run `R` times with random numbers of its own, and the
 //! interval comes from leaving out one replicate after the other.
 
+use crate::numeric::fixed;
 use serde::Serialize;
 use statrs::distribution::{ContinuousCDF, StudentsT};
+use std::fmt::{Display, Formatter};
 
 /// A slope is known well enough where half its 95 % interval is at most this.
 pub const WIDEST: f64 = 0.1;
@@ -43,7 +45,7 @@ pub enum Insufficient {
     #[error("an error of exactly zero has no logarithm")]
     NoError,
     /// The interval is wider than [`WIDEST`] to each side: more replicates or sizes are needed.
-    #[error("the interval is too wide: slope {} ± {}", .0.line.slope, .0.half_width)]
+    #[error("the interval is too wide: {0}")]
     Wide(Fit),
 }
 
@@ -67,6 +69,13 @@ impl Line {
     /// The line's `y` at `x`.
     pub fn at(&self, x: f64) -> f64 {
         libm::exp(self.intercept + self.slope * libm::log(x))
+    }
+}
+
+impl Display for Fit {
+    fn fmt(&self, f: &mut Formatter<'_>) -> std::fmt::Result {
+        let slope = fixed(self.line.slope, 3);
+        write!(f, "slope {slope} ± {:.3}", self.half_width)
     }
 }
 
