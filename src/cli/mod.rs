@@ -4,8 +4,9 @@
 //! input, 130 interrupted.
 
 mod completions;
+mod converge;
+mod doctor;
 mod page;
-
 mod render;
 mod scenes;
 mod tour;
@@ -31,7 +32,9 @@ Start here:
   halfdisk scenes                     what there is to render
   halfdisk render cornell             a picture in out/cornell.png
   halfdisk scenes --show cornell > mine.toml
-  halfdisk render mine.toml --spp 256 --out mine.exr";
+  halfdisk render mine.toml --spp 256 --out mine.exr
+  halfdisk converge half-disk         how fast does its error fall?
+  halfdisk doctor                     what do the usual mistakes read?";
 
 #[derive(Debug, Subcommand)]
 enum Action {
@@ -41,6 +44,10 @@ enum Action {
     Render(render::Render),
     /// List the scenes of the gallery, or show one's file
     Scenes(scenes::Scenes),
+    /// Measure how fast the error of an estimator falls
+    Converge(converge::Converge),
+    /// Name the mistake behind a wrong reading, or list the mistakes
+    Doctor(doctor::Doctor),
     /// Print the completions of a shell
     Completions(completions::Completions),
 }
@@ -52,6 +59,8 @@ impl Command {
             Action::Tour(tour) => tour.run(),
             Action::Render(render) => render.run(),
             Action::Scenes(scenes) => scenes.run(),
+            Action::Converge(converge) => converge.run(),
+            Action::Doctor(doctor) => doctor.run(),
             Action::Completions(completions) => completions.run(),
         };
         match result {
@@ -86,6 +95,17 @@ fn answer(text: &str) -> Result<(), Stop> {
         Err(e) if e.kind() == ErrorKind::BrokenPipe => Ok(()),
         result => result.map_err(Stop::from),
     }
+}
+
+/// Sets how many threads work; without a number, one for each core.
+fn use_threads(threads: Option<u16>) -> Result<(), Stop> {
+    let Some(threads) = threads else {
+        return Ok(());
+    };
+    rayon::ThreadPoolBuilder::new()
+        .num_threads(usize::from(threads))
+        .build_global()
+        .map_err(|e| Stop::Failure(format!("the threads cannot be started: {e}")))
 }
 
 impl From<SceneError> for Stop {

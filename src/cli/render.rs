@@ -1,6 +1,6 @@
 //! `halfdisk render`.
 
-use super::{Stop, answer};
+use super::{Stop, answer, use_threads};
 use crate::desk::{Bar, on_ctrl_c};
 use crate::integrators::{Albedo, Depth, Integrator, Normals, Whitted};
 use crate::output::{self, Display, Format, OutputError, Provenance};
@@ -83,12 +83,7 @@ impl Render {
         if Format::of(&path).is_none() {
             return Err(OutputError::Format(path.display().to_string()).into());
         }
-        if let Some(threads) = self.threads {
-            rayon::ThreadPoolBuilder::new()
-                .num_threads(usize::from(threads))
-                .build_global()
-                .map_err(|e| Stop::Failure(format!("the threads cannot be started: {e}")))?;
-        }
+        use_threads(self.threads)?;
 
         let max_depth = self.max_depth(&scene)?;
         let rendered = match self.integrator {

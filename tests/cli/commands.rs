@@ -199,6 +199,8 @@ fn help_version_and_completions() {
         &["tour", "--help"],
         &["render", "--help"],
         &["scenes", "--help"],
+        &["converge", "--help"],
+        &["doctor", "--help"],
         &["completions", "--help"],
         &["completions", "bash"],
         &["completions", "zsh"],

@@ -3,6 +3,8 @@
 mod bad_meshes;
 mod bad_scenes;
 mod commands;
+mod converge;
+mod doctor;
 pub mod meshes;
 
 use std::path::Path;

@@ -1,0 +1,220 @@
+//! `halfdisk converge`.
+
+use super::{Stop, answer, use_threads};
+use crate::chart::{ChartError, convergence_chart};
+use crate::desk::{Bar, on_ctrl_c};
+use crate::experiment::convergence::{Convergence, Design, Estimator, converge_watched};
+use crate::experiment::named;
+use clap::Args;
+use serde_json::{Value, json};
+use std::fmt::Write as _;
+use std::path::PathBuf;
+
+/// Measure how fast the error of an estimator falls.
+///
+/// Each estimator is run many times at every size, each run with random numbers of its own. Error
+/// and variance come as a table, a chart and files, with the slope of the error on logarithmic axes.
+#[derive(Debug, Args)]
+#[command(after_help = AFTER_HELP)]
+pub struct Converge {
+    /// The estimators, all on one chart (see `halfdisk converge --list`)
+    #[arg(value_name = "NAME", required_unless_present = "list")]
+    names: Vec<String>,
+    /// List the estimators
+    #[arg(long, conflicts_with = "names")]
+    list: bool,
+    /// Independent runs at each size: more of them make the slope surer
+    #[arg(long, default_value_t = Design::default().replicates,
+        value_parser = clap::value_parser!(u32).range(1..=1 << 20))]
+    replicates: u32,
+    /// Sizes, each twice the one before: 16, 32, 64 ... samples
+    #[arg(long, default_value_t = Design::default().doublings,
+        value_parser = clap::value_parser!(u32).range(1..=24))]
+    doublings: u32,
+    /// Seed of all random numbers: the same seed gives the same bytes
+    #[arg(long, default_value_t = Design::default().seed)]
+    seed: u64,
+    /// Threads to run on; changes no result [default: one for each core]
+    #[arg(long, value_parser = clap::value_parser!(u16).range(1..=1024))]
+    threads: Option<u16>,
+    /// Folder for the chart (.svg) and the numbers (.csv, .json)
+    #[arg(long, value_name = "DIR", default_value = "out/converge")]
+    out: PathBuf,
+    /// Print JSON in place of the table
+    #[arg(long)]
+    json: bool,
+}
+
+const AFTER_HELP: &str = "\
+Examples:
+  halfdisk converge --list
+      the estimators, one line each
+  halfdisk converge half-disk
+      chance alone: four times the samples halve the error, a slope of -1/2
+  halfdisk converge half-disk half-disk-stratified
+      the same directions, one in each part: the error falls with slope -3/2
+  halfdisk converge half-disk half-disk-literal
+      a formula that is wrong levels out; no number of samples helps it
+  halfdisk converge darts --replicates 8 --doublings 4
+      too few runs, and the fit says so";
+
+/// A longer file name is cut here.
+const LONGEST_STEM: usize = 80;
+
+impl Converge {
+    pub(super) fn run(self) -> Result<(), Stop> {
+        if self.list {
+            return list(self.json);
+        }
+        let estimators = chosen(&self.names)?;
+        use_threads(self.threads)?;
+        let design = Design {
+            replicates: self.replicates,
+            doublings: self.doublings,
+            seed: self.seed,
+            ..Design::default()
+        };
+        let stop = on_ctrl_c();
+        let runs: Vec<Convergence> = estimators
+            .iter()
+            .map_while(|e| converge_watched(e, &design, &Bar::new(e.name, stop)))
+            .collect();
+        // What was finished before a Ctrl-C is kept.
+        if !runs.is_empty() {
+            let object = as_json(&design, &runs);
+            let json = serde_json::to_string_pretty(&object)? + "\n";
+            let stem = self.write(&runs, &json)?;
+            answer(&if self.json { json } else { table(&runs) })?;
+            eprintln!("wrote {}.svg, .csv and .json", stem.display());
+        }
+        if runs.len() < estimators.len() {
+            let (done, all) = (runs.len(), estimators.len());
+            eprintln!("interrupted: {done} of {all} estimators were finished");
+            return Err(Stop::Interrupted);
+        }
+        Ok(())
+    }
+
+    /// Writes chart and numbers; returns their path without its ending.
+    fn write(&self, runs: &[Convergence], json: &str) -> Result<PathBuf, Stop> {
+        let path = self.out.join(stem(runs));
+        let failure = |path: &std::path::Path, e| Stop::Failure(format!("{}: {e}", path.display()));
+        std::fs::create_dir_all(&self.out).map_err(|e| failure(&self.out, e))?;
+        let title = match runs {
+            [run] => format!("Error of {}, {} runs each", run.name, run.replicates),
+            _ => format!("Error against samples, {} runs each", self.replicates),
+        };
+        let chart = convergence_chart(title, runs);
+        let mut files = vec![("csv", csv(runs)), ("json", json.to_owned())];
+        match chart.to_svg() {
+            Ok(svg) => files.push(("svg", svg)),
+            // Estimators without any error have numbers, but no place on logarithmic axes.
+            Err(ChartError::Empty(_)) => eprintln!("note: no error anywhere, so there is no chart"),
+            Err(error) => return Err(Stop::Failure(error.to_string())),
+        }
+        for (ending, text) in files {
+            // The stem may have dots of its own: `with_extension` would eat them.
+            let file = PathBuf::from(format!("{}.{ending}", path.display()));
+            std::fs::write(&file, text).map_err(|e| failure(&file, e))?;
+        }
+        Ok(path)
+    }
+}
+
+/// The estimators of these names, each once.
+fn chosen(names: &[String]) -> Result<Vec<Estimator>, Stop> {
+    let mut found: Vec<Estimator> = Vec::new();
+    for name in names {
+        let estimator = named::find(name).ok_or_else(|| {
+            let all: Vec<_> = named::all().iter().map(|e| e.name).collect();
+            Stop::Input(format!(
+                "there is no estimator \"{name}\"; there are {}",
+                all.join(", ")
+            ))
+        })?;
+        if found.iter().all(|e| e.name != estimator.name) {
+            found.push(estimator);
+        }
+    }
+    Ok(found)
+}
+
+fn list(json: bool) -> Result<(), Stop> {
+    let all = named::all();
+    if json {
+        let entry = |e: &Estimator| json!({ "name": e.name, "about": e.about, "truth": e.truth, "sizes": e.sizes });
+        let entries: Vec<Value> = all.iter().map(entry).collect();
+        return answer(&(serde_json::to_string_pretty(&entries)? + "\n"));
+    }
+    let line = |e: &Estimator| format!("{:<27} {}\n", e.name, e.about);
+    answer(&all.iter().map(line).collect::<String>())
+}
+
+/// The names joined with `+`, shortened where that makes a long name.
+fn stem(runs: &[Convergence]) -> String {
+    let names: Vec<&str> = runs.iter().map(|run| run.name.as_str()).collect();
+    let joined = names.join("+");
+    if joined.len() <= LONGEST_STEM {
+        return joined;
+    }
+    let others = format!("{}+{}-more", names[0], names.len() - 1);
+    // The same number of others is not the same others.
+    let mark = joined
+        .bytes()
+        .fold(0xcbf2_9ce4_8422_2325_u64, |hash, byte| {
+            (hash ^ u64::from(byte)).wrapping_mul(0x0100_0000_01b3)
+        });
+    format!("{others}-{:08x}", mark as u32)
+}
+
+/// One table of all runs under one header.
+fn csv(runs: &[Convergence]) -> String {
+    let mut csv = String::new();
+    for (i, run) in runs.iter().enumerate() {
+        for line in run.to_csv().lines().skip(usize::from(i > 0)) {
+            let _ = writeln!(csv, "{line}");
+        }
+    }
+    csv
+}
+
+fn table(runs: &[Convergence]) -> String {
+    let mut text = String::new();
+    for run in runs {
+        let _ = writeln!(text, "{}, exact {}", run.name, run.truth);
+        let _ = writeln!(text, "{:>10}   error ± its error         variance", "N");
+        for s in &run.sizes {
+            // One run alone does not know its error.
+            let own = match s.rmse_error {
+                own if own.is_finite() => format!("{own:.1e}"),
+                _ => "unknown".to_owned(),
+            };
+            let _ = writeln!(
+                text,
+                "{:>10}   {:.3e} ± {own:<10}   {:.3e}",
+                s.samples, s.rmse, s.variance
+            );
+        }
+        let _ = writeln!(text, "{}\n", run.slope_text());
+    }
+    text
+}
+
+fn as_json(design: &Design, runs: &[Convergence]) -> Value {
+    let run = |run: &Convergence| {
+        json!({
+            "name": run.name,
+            "truth": run.truth,
+            "sizes": run.sizes,
+            "fit": run.fit.as_ref().ok(),
+            "insufficient": run.fit.as_ref().err().map(ToString::to_string),
+            "says": run.slope_text(),
+        })
+    };
+    json!({
+        "seed": design.seed,
+        "replicates": design.replicates,
+        "doublings": design.doublings,
+        "estimators": runs.iter().map(run).collect::<Vec<_>>(),
+    })
+}

@@ -1,0 +1,215 @@
+//! `halfdisk converge`: what it prints, writes and refuses.
+
+use super::{complaint, folder, halfdisk, refused};
+use halfdisk::experiment::named;
+use serde_json::Value;
+use std::path::Path;
+
+/// Runs `converge` in `folder`; returns its stdout.
+fn converge(folder: &Path, arguments: &[&str]) -> String {
+    let output = halfdisk(folder, &[&["converge"], arguments].concat());
+    assert!(output.status.success(), "{}", complaint(&output));
+    String::from_utf8(output.stdout).unwrap()
+}
+
+#[test]
+fn every_estimator_is_listed() {
+    let folder = folder();
+    let text = converge(folder.path(), &["--list"]);
+    let json: Value =
+        serde_json::from_str(&converge(folder.path(), &["--list", "--json"])).unwrap();
+    let all = named::all();
+    assert_eq!(text.lines().count(), all.len());
+    assert_eq!(json.as_array().unwrap().len(), all.len());
+    for ((line, entry), estimator) in text.lines().zip(json.as_array().unwrap()).zip(&all) {
+        assert_eq!(line.split_whitespace().next(), Some(estimator.name));
+        assert!(line.ends_with(estimator.about), "{line}");
+        assert_eq!(entry["name"], estimator.name);
+        for key in ["about", "truth", "sizes"] {
+            assert!(entry.get(key).is_some(), "no {key} in {entry}");
+        }
+    }
+    assert!(folder.path().read_dir().unwrap().next().is_none());
+}
+
+#[test]
+fn a_table_a_chart_and_numbers_for_several() {
+    let folder = folder();
+    let names = ["half-disk", "half-disk-literal", "half-disk"];
+    let text = converge(folder.path(), &names);
+    assert!(text.contains("N   error ± its error"), "{text}");
+    assert!(
+        text.contains("slope -0.") && !text.contains("-0.000"),
+        "{text}"
+    );
+    let path = folder
+        .path()
+        .join("out/converge/half-disk+half-disk-literal");
+    let read = |ending| std::fs::read_to_string(format!("{}.{ending}", path.display())).unwrap();
+    let csv = read("csv");
+    // A name given twice is run once; there is one header.
+    assert_eq!(csv.lines().count(), 1 + 2 * 11);
+    assert_eq!(csv.matches("name,samples,").count(), 1);
+    let svg = read("svg");
+    for words in [
+        "samples N",
+        "root mean squared error",
+        "half-disk: slope -0.",
+        "256 runs",
+    ] {
+        assert!(svg.contains(words), "no {words:?} in the chart");
+    }
+    let json: Value = serde_json::from_str(&read("json")).unwrap();
+    assert_eq!(json["replicates"], 256);
+    let slope = |i: usize| {
+        json["estimators"][i]["fit"]["line"]["slope"]
+            .as_f64()
+            .unwrap()
+    };
+    assert!((slope(0) + 0.5).abs() < 0.02 && slope(1).abs() < 0.02);
+}
+
+#[test]
+fn json_is_all_there_is_on_stdout_and_in_the_file() {
+    let folder = folder();
+    let few = [
+        "darts",
+        "--replicates",
+        "4",
+        "--doublings",
+        "3",
+        "--json",
+        "--out",
+        "deep/er",
+    ];
+    let text = converge(folder.path(), &few);
+    let object: Value = serde_json::from_str(&text).expect("one JSON object");
+    for key in ["seed", "replicates", "doublings", "estimators"] {
+        assert!(object.get(key).is_some(), "no {key}");
+    }
+    let run = &object["estimators"][0];
+    for key in ["name", "truth", "sizes", "fit", "insufficient", "says"] {
+        assert!(run.get(key).is_some(), "no {key}");
+    }
+    assert_eq!(run["sizes"].as_array().unwrap().len(), 3);
+    for key in [
+        "samples",
+        "rays",
+        "bias",
+        "bias_error",
+        "rmse",
+        "rmse_error",
+        "variance",
+    ] {
+        assert!(run["sizes"][2].get(key).is_some(), "no {key}");
+    }
+    let file = std::fs::read_to_string(folder.path().join("deep/er/darts.json")).unwrap();
+    assert_eq!(file, text);
+}
+
+#[test]
+fn too_little_for_a_slope_says_why() {
+    let folder = folder();
+    for (replicates, doublings, why) in [
+        ("1", "3", "fewer than two replicates"),
+        ("9", "1", "fewer than two sizes"),
+        ("3", "3", "the interval is too wide: slope "),
+    ] {
+        let few = [
+            "darts",
+            "--replicates",
+            replicates,
+            "--doublings",
+            doublings,
+        ];
+        let text = converge(folder.path(), &few);
+        assert!(text.contains(&format!("insufficient: {why}")), "{text}");
+        assert!(folder.path().join("out/converge/darts.svg").exists());
+    }
+}
+
+#[test]
+fn threads_change_no_byte_and_the_seed_does() {
+    let run = |threads, seed| {
+        let folder = folder();
+        let names = [
+            "hemisphere-lamp",
+            "step",
+            "--replicates",
+            "16",
+            "--doublings",
+            "5",
+        ];
+        let more = ["--threads", threads, "--seed", seed];
+        let text = converge(folder.path(), &[&names[..], &more].concat());
+        let stem = folder.path().join("out/converge/hemisphere-lamp+step");
+        let read = |ending| std::fs::read(stem.with_extension(ending)).unwrap();
+        (text, ["csv", "json", "svg"].map(read))
+    };
+    assert!(run("1", "1") == run("2", "1"));
+    assert!(run("1", "1") != run("1", "2"));
+}
+
+#[test]
+fn many_names_make_a_short_file_name() {
+    let folder = folder();
+    let names: Vec<&str> = named::all().iter().map(|e| e.name).collect();
+    let few = ["--replicates", "2", "--doublings", "3"];
+    converge(folder.path(), &[&names[..], &few].concat());
+    for entry in folder.path().join("out/converge").read_dir().unwrap() {
+        assert!(entry.unwrap().file_name().len() <= 90);
+    }
+}
+
+#[test]
+fn requests_that_cannot_be_met() {
+    let folder = folder();
+    let sentence = refused(folder.path(), &["converge", "half-disk", "magic"], 2);
+    assert!(sentence.starts_with("there is no estimator \"magic\"; there are darts, "));
+    for estimator in named::all() {
+        assert!(sentence.contains(estimator.name), "{sentence}");
+    }
+    for arguments in [
+        &["converge"][..],
+        &["converge", "darts", "--list"],
+        &["converge", "darts", "--replicates", "0"],
+        &["converge", "darts", "--doublings", "0"],
+        &["converge", "darts", "--doublings", "99"],
+        &["converge", "darts", "--threads", "0"],
+    ] {
+        let output = halfdisk(folder.path(), arguments);
+        assert_eq!(output.status.code(), Some(2), "{arguments:?}");
+    }
+    assert!(folder.path().read_dir().unwrap().next().is_none());
+    std::fs::write(folder.path().join("file"), "").unwrap();
+    let few = ["converge", "darts", "--replicates", "2", "--out", "file/in"];
+    assert!(refused(folder.path(), &few, 1).starts_with("file/in: "));
+}
+
+#[cfg(unix)]
+#[test]
+fn ctrl_c_keeps_what_is_finished() {
+    use std::process::{Command, Stdio};
+    let folder = folder();
+    // Midpoints take a moment, the product in 8 dimensions many; a busy machine may be slower still.
+    let child = Command::new(env!("CARGO_BIN_EXE_halfdisk"))
+        .current_dir(folder.path())
+        .args(["converge", "midpoints", "product-8", "--threads", "1"])
+        .args(["--replicates", "300", "--doublings", "13"])
+        .stdout(Stdio::piped())
+        .stderr(Stdio::piped())
+        .spawn()
+        .unwrap();
+    std::thread::sleep(std::time::Duration::from_millis(900));
+    let kill = Command::new("kill")
+        .args(["-INT", &child.id().to_string()])
+        .status();
+    assert!(kill.unwrap().success());
+    let output = child.wait_with_output().unwrap();
+    let said = complaint(&output);
+    assert_eq!(output.status.code(), Some(130), "{said}");
+    let kept = said.contains("interrupted: 1 of 2 estimators");
+    assert!(kept || said.contains("interrupted: 0 of 2"), "{said}");
+    let file = folder.path().join("out/converge/midpoints.csv");
+    assert_eq!(file.exists(), kept);
+}
