@@ -2,23 +2,52 @@
 
 use super::{Axis, Curve, CurveChart, Point, Style};
 use crate::experiment::convergence::Convergence;
-use crate::stats::slope::{Fit, Insufficient};
+use crate::numeric::fixed;
+use crate::stats::slope::{Fit, Insufficient, Line};
 
 /// Error against samples on logarithmic axes: measured points with their error bars, and in the
-/// same colour the fitted line, whose slope stands in the legend.
+/// same colour the fitted line, whose slope stands in the legend. A run that is alone shows its
+/// variance, too.
 pub fn convergence_chart(title: impl Into<String>, runs: &[Convergence]) -> CurveChart {
-    let curves = runs
-        .iter()
-        .enumerate()
-        .flat_map(|(i, run)| curves(run).into_iter().map(move |c| c.coloured(i)));
+    let mut groups: Vec<Vec<Curve>> = runs.iter().map(curves).collect();
+    let mut y_label = "root mean squared error";
+    if let [run] = runs {
+        groups.push(variance_curves(run));
+        y_label = "root mean squared error; variance";
+    }
+    let coloured = |(i, group): (usize, Vec<Curve>)| group.into_iter().map(move |c| c.coloured(i));
     CurveChart {
         title: title.into(),
         x_label: "samples N".into(),
-        y_label: "root mean squared error".into(),
+        y_label: y_label.into(),
         x_axis: Axis::Log,
         y_axis: Axis::Log,
-        curves: curves.collect(),
+        curves: groups.into_iter().enumerate().flat_map(coloured).collect(),
     }
+}
+
+/// The variance of the estimates, with the line through it; nothing where there is none.
+fn variance_curves(run: &Convergence) -> Vec<Curve> {
+    // The error that a normal law gives a variance from this many runs.
+    let relative = (2.0 / (f64::from(run.replicates) - 1.0)).sqrt();
+    let measured: Vec<(f64, f64)> = run
+        .sizes
+        .iter()
+        .filter(|size| size.variance > 0.0)
+        .map(|size| (f64::from(size.samples), size.variance))
+        .collect();
+    let (Some(line), Some(first), Some(last)) =
+        (Line::through(&measured), measured.first(), measured.last())
+    else {
+        return Vec::new();
+    };
+    let ends = [first, last].map(|(n, _)| (*n, line.at(*n)));
+    let name = format!("variance: slope {}", fixed(line.slope, 3));
+    let points = measured.iter().map(|&(n, v)| (n, v, relative * v));
+    vec![
+        Curve::measured("", Style::Marks, points),
+        Curve::new(name, Style::Dashed, ends),
+    ]
 }
 
 fn curves(run: &Convergence) -> Vec<Curve> {
