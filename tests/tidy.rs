@@ -19,7 +19,6 @@ const FLOORS: &[&[&str]] = &[
     &["cli"],
 ];
 
-/// Modules below the tests of a module may look anywhere; what ships may not.
 const LONGEST_FILE: usize = 400;
 const LONGEST_CHAPTER: usize = 150;
 
@@ -245,4 +244,47 @@ fn every_chapter_has_a_program_a_page_and_a_place_in_the_tour() {
         let page = root().join(format!("book/src/{program}.md"));
         assert!(page.exists(), "{} is missing", page.display());
     }
+}
+
+/// The tests that a ledger of claims names, in the last column of its table.
+fn named_tests(ledger: &str) -> Vec<String> {
+    let rows = ledger.lines().filter(|l| l.starts_with("| S"));
+    let cells = rows.filter_map(|row| row.trim_end_matches(" |").rsplit("| ").next());
+    cells
+        .map(|cell| cell.trim_matches('`').to_owned())
+        .collect()
+}
+
+#[test]
+fn every_claim_has_a_test_and_every_test_of_a_claim_is_in_the_ledger() {
+    let ledger = fs::read_to_string(root().join("book/src/claims.md")).unwrap();
+    let mut code = String::new();
+    for folder in ["tests", "src"] {
+        for path in files(&root().join(folder), "rs") {
+            code += &fs::read_to_string(path).unwrap();
+        }
+    }
+    let named = named_tests(&ledger);
+    assert!(named.len() > 20, "{named:?}");
+    for test in &named {
+        assert!(
+            code.contains(&format!("fn {test}(")),
+            "{test} does not exist"
+        );
+    }
+    // A test named after a claim speaks for one that the ledger lists.
+    let ids = code.split("fn s").skip(1).filter_map(|rest| {
+        let (document, number) = (rest.get(0..1)?, rest.get(2..4)?);
+        let claim = rest.get(1..2) == Some("_") && number.bytes().all(|b| b.is_ascii_digit());
+        claim.then(|| format!("| S{document}.{number} |"))
+    });
+    for id in ids {
+        assert!(ledger.contains(&id), "{id} is not in the ledger");
+    }
+}
+
+#[test]
+fn a_claim_without_a_test_is_noticed() {
+    let ledger = "| S0.99 | a claim | {{#number ch01.slit}} | `no_such_test` |\n| id |";
+    assert_eq!(named_tests(ledger), ["no_such_test"]);
 }

@@ -3,7 +3,7 @@
 use super::{Stop, answer, use_threads};
 use crate::desk::{Bar, on_ctrl_c};
 use crate::integrators::{Albedo, Depth, Integrator, Normals, Whitted};
-use crate::output::{self, Display, Format, OutputError, Provenance};
+use crate::output::{self, Display, Provenance};
 use crate::render::{self, Options, Rendered};
 use crate::scene::{Scene, build::film_size, field::Field, gallery};
 use clap::{Args, ValueEnum};
@@ -78,11 +78,9 @@ impl Render {
                 description.film.size = size.map(i64::from);
             }
         })?;
-        // Checked before any work, so that none is lost to a misspelt name.
+        // Checked before any work, so that none is lost to a misspelt name or a closed folder.
         let path = self.path(&scene);
-        if Format::of(&path).is_none() {
-            return Err(OutputError::Format(path.display().to_string()).into());
-        }
+        output::prepare(&path)?;
         use_threads(self.threads)?;
 
         let max_depth = self.max_depth(&scene)?;

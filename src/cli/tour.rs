@@ -151,9 +151,7 @@ fn programs() -> Result<PathBuf, Stop> {
 
 fn build(cargo: &Path, package: &Path, folder: &Path) -> Result<(), Stop> {
     let mut command = Command::new(cargo);
-    command
-        .args(["build", "--quiet", "--bins"])
-        .current_dir(package);
+    command.args(["build", "--bins"]).current_dir(package);
     if !cfg!(debug_assertions) {
         command.arg("--release");
     }

@@ -91,6 +91,26 @@ pub enum OutputError {
     Encoding(String, String),
 }
 
+/// Checks, before the work is done, that a picture can be written here; folders are made where they
+/// are missing.
+pub fn prepare(path: &Path) -> Result<(), OutputError> {
+    let failure = |e| OutputError::File(path.display().to_string(), e);
+    Format::of(path).ok_or_else(|| OutputError::Format(path.display().to_string()))?;
+    if let Some(folder) = path.parent() {
+        std::fs::create_dir_all(folder).map_err(failure)?;
+    }
+    let is_new = !path.exists();
+    let open = std::fs::OpenOptions::new()
+        .append(true)
+        .create(true)
+        .open(path);
+    open.map_err(failure)?;
+    if is_new {
+        std::fs::remove_file(path).map_err(failure)?;
+    }
+    Ok(())
+}
+
 /// Writes a picture in the format its name asks for; folders are made where they are missing.
 pub fn write(
     path: &Path,
