@@ -78,12 +78,12 @@ impl Render {
                 description.film.size = size.map(i64::from);
             }
         })?;
+        let max_depth = self.max_depth(&scene)?;
         // Checked before any work, so that none is lost to a misspelt name or a closed folder.
         let path = self.path(&scene);
         output::prepare(&path)?;
         use_threads(self.threads)?;
 
-        let max_depth = self.max_depth(&scene)?;
         let rendered = match self.integrator {
             Method::Whitted => self.with(&scene, &Whitted { max_depth }),
             Method::Normals => self.with(&scene, &Normals),
