@@ -2,8 +2,8 @@
 
 use super::{Chapter, Options};
 use crate::ledger::Ledger;
+use indexmap::IndexMap;
 use serde::{Deserialize, Serialize};
-use std::collections::BTreeMap;
 
 /// The content of a chapter's `data.json`.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
@@ -18,8 +18,8 @@ pub struct Record {
     pub seed: u64,
     /// True for a run with few samples.
     pub quick: bool,
-    /// What was found, by name.
-    pub numbers: BTreeMap<String, Number>,
+    /// What was found, by name, in the order in which it was found.
+    pub numbers: IndexMap<String, Number>,
     /// What was drawn, in order.
     pub figures: Vec<Figure>,
     /// What it cost and gained.
@@ -61,7 +61,7 @@ impl Record {
             question: chapter.question.to_owned(),
             seed: options.seed,
             quick: options.quick,
-            numbers: BTreeMap::new(),
+            numbers: IndexMap::new(),
             figures: Vec::new(),
             ledger: None,
         }
