@@ -11,7 +11,11 @@ use serde_json::json;
 use std::path::{Path, PathBuf};
 
 /// Render a scene.
+///
+/// The picture is a pure function of scene, integrator, seed and samples per pixel. Ctrl-C keeps what
+/// is there.
 #[derive(Debug, Args)]
+#[command(after_help = AFTER_HELP)]
 pub struct Render {
     /// A scene of the gallery (see `halfdisk scenes`), or a path to a .toml file
     scene: String,
@@ -45,6 +49,17 @@ pub struct Render {
     #[arg(long, short)]
     quiet: bool,
 }
+
+const AFTER_HELP: &str = "\
+Examples:
+  halfdisk render cornell
+      a scene of the gallery, as its file suggests, in out/cornell.png
+  halfdisk render cornell --integrator normals
+      is the geometry right? colours are directions
+  halfdisk render mine.toml --size 640x480 --spp 256 --out mine.exr
+      a scene of your own, with the error of each pixel beside its value
+  halfdisk render mine.toml --spp 4 --json --quiet
+      a first look, and the facts for a program";
 
 /// The integrators by name.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]

@@ -244,7 +244,7 @@ mod unix {
             "--json",
         ];
         let child = start(folder.path(), &[&long[..], &["--out", "p.exr"]].concat());
-        std::thread::sleep(Duration::from_millis(400));
+        std::thread::sleep(Duration::from_millis(1200));
         let kill = Command::new("kill")
             .args(["-INT", &child.id().to_string()])
             .status();

@@ -195,12 +195,12 @@ fn ctrl_c_keeps_what_is_finished() {
     let child = Command::new(env!("CARGO_BIN_EXE_halfdisk"))
         .current_dir(folder.path())
         .args(["converge", "midpoints", "product-8", "--threads", "1"])
-        .args(["--replicates", "300", "--doublings", "13"])
+        .args(["--replicates", "600", "--doublings", "13"])
         .stdout(Stdio::piped())
         .stderr(Stdio::piped())
         .spawn()
         .unwrap();
-    std::thread::sleep(std::time::Duration::from_millis(900));
+    std::thread::sleep(std::time::Duration::from_millis(1200));
     let kill = Command::new("kill")
         .args(["-INT", &child.id().to_string()])
         .status();
