@@ -20,7 +20,8 @@
 //!
 //! Each module uses only modules above it in this list; a test keeps it so.
 //!
-//! 1. [`numeric`]: care for floating point; [`color`]: a radiometric triple
+//! 1. [`numeric`]: care for floating point; [`color`]: a radiometric triple; [`notation`]: light
+//!    paths as words
 //! 2. [`sampling`]: random numbers and what they are bent into; [`stats`]: estimates with errors
 //! 3. [`geometry`]: rays, shapes, the hierarchy that finds the first hit; [`space`]: what a
 //!    dimension is, so that one source serves both
@@ -49,7 +50,8 @@
 //! | `spp` | samples per pixel |
 //! | depth | path segments, the camera ray first, the one that ends on the light last |
 //!
-//! Light paths are words in Heckbert's letters: `L` light, `D` diffuse, `S` specular, `E` eye.
+//! Light paths are words in Heckbert's letters: `L` light, `D` diffuse, `S` specular, `G` gloss,
+//! `E` eye.
 //!
 //! ## Conventions
 //!
@@ -71,6 +73,7 @@ pub mod integrators;
 pub mod ledger;
 pub mod lights;
 pub mod materials;
+pub mod notation;
 pub mod numeric;
 pub mod output;
 pub mod render;

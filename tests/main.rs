@@ -12,6 +12,7 @@ mod hard_cases;
 mod hit_or_miss;
 mod mistakes;
 mod mutations;
+mod notation;
 mod tidy;
 mod truth;
 mod twins;
