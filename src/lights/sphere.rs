@@ -17,7 +17,7 @@ pub struct SphereLight {
 
 impl SphereLight {
     /// Draws a direction of the cone in which the sphere is seen, uniformly in solid angle; `None`
-    /// inside, where it is dark.
+    /// inside, where it is dark, and on it.
     ///
     /// Density: `1 / (2π (1 - cos θ_max))`, in 1/sr, with `sin θ_max = r / d`.
     pub fn sample(&self, from: &Surface, u: [f32; 2]) -> Option<LightSample> {
@@ -27,6 +27,10 @@ impl SphereLight {
         let sin2_max = radius * radius / distance2;
         let one_minus_cos_max = one_minus_cos(sin2_max as f32);
         if !(sin2_max < 1.0 && one_minus_cos_max > 0.0) {
+            return None;
+        }
+        // A point of the sphere itself, rounded outwards, would see the light beneath its feet.
+        if distance2.sqrt() - radius <= f64::from(from.error.length()) {
             return None;
         }
         let axis = to_center / distance2.sqrt();
