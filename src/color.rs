@@ -4,7 +4,7 @@
 //! the compiler refuses to mix the two. Values are linear; there is no colour management.
 
 use std::iter::Sum;
-use std::ops::{Add, AddAssign, Mul, MulAssign, Sub};
+use std::ops::{Add, AddAssign, Div, Mul, MulAssign, Sub};
 
 /// Three independent linear channels: a radiance in W/(m² sr), a reflectance, a weight.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -114,6 +114,13 @@ impl Mul<Rgb> for f32 {
     type Output = Rgb;
     fn mul(self, c: Rgb) -> Rgb {
         c * self
+    }
+}
+
+impl Div<f32> for Rgb {
+    type Output = Rgb;
+    fn div(self, s: f32) -> Rgb {
+        Rgb::new(self.r / s, self.g / s, self.b / s)
     }
 }
 

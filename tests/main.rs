@@ -10,6 +10,7 @@ mod flatland;
 mod gather;
 mod hard_cases;
 mod hit_or_miss;
+mod ladder;
 mod mistakes;
 mod mutations;
 mod notation;

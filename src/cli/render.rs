@@ -2,7 +2,7 @@
 
 use super::{Stop, answer, use_threads};
 use crate::desk::{Bar, on_ctrl_c};
-use crate::integrators::{Albedo, Depth, Integrator, Normals, Whitted};
+use crate::integrators::{Albedo, Depth, Integrator, Kajiya, NextEvent, Normals, Whitted};
 use crate::output::{self, Display, Provenance};
 use crate::render::{self, Options, Rendered};
 use crate::scene::{Scene, build::film_size, field::Field, gallery};
@@ -66,6 +66,12 @@ Examples:
 enum Method {
     /// Shadow, mirror and glass rays; no light between diffuse surfaces
     Whitted,
+    /// A random walk, all paths L(S|D)*E; finds lamps and sky by chance only, and point and
+    /// directional lights never
+    Kajiya,
+    /// The same walk with a shadow ray to each lamp at diffuse surfaces: the same light with less
+    /// noise; of point and directional lights LD(S|D)*E
+    NextEvent,
     /// Debugging view: the normal at the first hit, as colour
     Normals,
     /// Debugging view: the share of light the first hit sends back
@@ -101,12 +107,14 @@ impl Render {
 
         let rendered = match self.integrator {
             Method::Whitted => self.with(&scene, &Whitted { max_depth }),
+            Method::Kajiya => self.with(&scene, &Kajiya { max_depth }),
+            Method::NextEvent => self.with(&scene, &NextEvent { max_depth }),
             Method::Normals => self.with(&scene, &Normals),
             Method::Albedo => self.with(&scene, &Albedo),
             Method::Depth => self.with(&scene, &Depth),
         };
         let display = match self.integrator {
-            Method::Whitted => Display::Radiance,
+            Method::Whitted | Method::Kajiya | Method::NextEvent => Display::Radiance,
             Method::Normals | Method::Albedo => Display::Data { white: 1.0 },
             Method::Depth => Display::Data {
                 white: rendered.film.max(),

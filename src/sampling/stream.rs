@@ -23,6 +23,8 @@ pub enum Purpose {
     Lens = 5,
     /// Where an integrand without any light is evaluated.
     Integrand = 6,
+    /// Which of a surface's specular directions a path goes on in.
+    Branch = 7,
 }
 
 /// The random numbers of one camera sample.
@@ -107,6 +109,7 @@ mod tests {
             first(0, 0, 1, 0, Pixel, 0),
             first(0, 0, 0, 1, Pixel, 0),
             first(0, 0, 0, 0, Direction, 0),
+            first(0, 0, 0, 0, Branch, 0),
             first(0, 0, 0, 0, Pixel, 1),
         ];
         let distinct: std::collections::BTreeSet<u32> = all.into_iter().collect();

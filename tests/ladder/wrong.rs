@@ -1,0 +1,73 @@
+//! Random walks with the usual mistakes, which the tests must reject.
+
+use halfdisk::color::Rgb;
+use halfdisk::geometry::Ray;
+use halfdisk::integrators::{Integrator, direct_light};
+use halfdisk::sampling::frame::Frame;
+use halfdisk::sampling::stream::{Purpose, Stream};
+use halfdisk::scene::Tracer;
+
+/// What `NextEvent` may get wrong.
+#[derive(Clone, Copy, PartialEq)]
+pub enum Slip {
+    /// Lamps count where they are met by chance, too.
+    CountTwice,
+    /// Lamps count straight from the eye only.
+    NeverAfterSpecular,
+    /// The weight of the chosen branch is not divided by its probability.
+    NoProbability,
+}
+
+/// `NextEvent` with a mistake.
+pub struct Wrong {
+    pub slip: Slip,
+    pub max_depth: u32,
+}
+
+impl Integrator for Wrong {
+    fn li(&self, tracer: &mut Tracer, ray: &Ray, stream: &Stream) -> Rgb {
+        let (mut li, mut beta, mut ray) = (Rgb::BLACK, Rgb::WHITE, *ray);
+        let mut hit = tracer.camera_ray(&ray);
+        let mut asked = false;
+        for depth in 1.. {
+            let Some(here) = hit else {
+                return li + beta * tracer.scene().background;
+            };
+            if !asked || self.slip == Slip::CountTwice {
+                li += beta * here.emitted(-ray.direction);
+            }
+            let Some(material) = here.object.material.filter(|_| depth < self.max_depth) else {
+                break;
+            };
+            let bounce = u64::from(depth);
+            li += beta * direct_light(tracer, &ray, &here, bounce, stream);
+            let frame = Frame::new(here.surface.n);
+            let wo = frame.to_local(-ray.direction);
+            let u = stream.at(bounce, Purpose::Direction).two();
+            let u_branch = stream.at(bounce, Purpose::Branch).one();
+            let wi = if let Some(s) = material.sample(wo, u) {
+                asked = true;
+                beta *= s.f * s.wi.z.abs() / s.pdf;
+                s.wi
+            } else if let Some(branch) = material.specular(wo).choose(u_branch) {
+                asked = self.slip == Slip::NeverAfterSpecular;
+                let all = material.specular(wo);
+                let mirrored = (branch.wi.z > 0.0) == (wo.z > 0.0);
+                beta *= match if mirrored {
+                    all.reflected
+                } else {
+                    all.transmitted
+                } {
+                    Some(own) if self.slip == Slip::NoProbability => own.weight,
+                    _ => branch.weight,
+                };
+                branch.wi
+            } else {
+                break;
+            };
+            ray = here.surface.spawn(frame.to_world(wi).normalize());
+            hit = tracer.secondary_ray(&ray);
+        }
+        li
+    }
+}
