@@ -2,13 +2,12 @@
 
 use super::Letter;
 use super::language::{Language, Row};
+use super::numbering::Numbering;
 use regex_automata::dfa::{Automaton, StartKind, dense};
 use regex_automata::nfa::thompson;
 use regex_automata::util::primitives::StateID;
 use regex_automata::util::{start, syntax};
 use regex_automata::{Anchored, MatchKind};
-use std::collections::HashMap;
-use std::hash::Hash;
 
 /// The most states of an expression's automaton, so that two of them are compared in an instant.
 pub(super) const MOST_STATES: usize = 512;
@@ -93,30 +92,4 @@ fn smallest(next: &[Row], accepting: &[bool]) -> Language {
         }
     }
     Language::new(rows, accepts)
-}
-
-/// Numbers things as they appear, from 0.
-pub(super) struct Numbering<T> {
-    /// The things by their numbers.
-    pub items: Vec<T>,
-    numbers: HashMap<T, u32>,
-}
-
-impl<T> Default for Numbering<T> {
-    fn default() -> Self {
-        Numbering {
-            items: Vec::new(),
-            numbers: HashMap::new(),
-        }
-    }
-}
-
-impl<T: Copy + Eq + Hash> Numbering<T> {
-    /// The number of `item`, a new one where it is new.
-    pub fn number(&mut self, item: T) -> u32 {
-        *self.numbers.entry(item).or_insert_with(|| {
-            self.items.push(item);
-            self.items.len() as u32 - 1
-        })
-    }
 }

@@ -1,6 +1,6 @@
 //! Sets of words, walked letter by letter and compared.
 
-use super::automaton::Numbering;
+use super::numbering::Numbering;
 use super::{Letter, Word};
 use std::collections::VecDeque;
 

@@ -27,6 +27,7 @@
 mod automaton;
 mod expression;
 mod language;
+mod numbering;
 mod parser;
 
 pub use expression::{Expression, ExpressionError};
