@@ -1,7 +1,7 @@
 //! Segments and circles: where a ray crosses them, and the surface there.
 
 use super::FlatSurface;
-use crate::numeric::{gamma, quadratic_with};
+use crate::numeric::{gamma, quadratic};
 use glam::{DVec2, Vec2};
 
 /// Bound on how far off a shape `f64` puts a point or sees a ray's origin, relative to the shape's
@@ -135,7 +135,7 @@ impl Circle {
         let from_center = origin - center;
         let off_axis = from_center.perp_dot(direction);
         let a = direction.length_squared();
-        let roots = quadratic_with(
+        let roots = quadratic(
             a * radius * radius - off_axis * off_axis,
             a,
             from_center.dot(direction),

@@ -83,11 +83,6 @@ impl Bvh {
         }
     }
 
-    /// The box of everything; [`Aabb::EMPTY`] where there is nothing.
-    pub fn bounds(&self) -> Aabb {
-        self.nodes.first().map_or(Aabb::EMPTY, |root| root.bounds)
-    }
-
     /// The first crossing of the ray; of several shapes at the same distance the one with the
     /// lowest id, whatever the order of the tree.
     pub fn first(&self, ray: &Ray) -> Option<Found<'_>> {

@@ -1,7 +1,7 @@
 //! A sphere.
 
 use super::{Aabb, Crossing, PreparedRay, Ray, Surface};
-use crate::numeric::{gamma, quadratic_with};
+use crate::numeric::{gamma, quadratic};
 use glam::Vec3;
 
 /// Bound on how far off a sphere `f64` puts a point or sees a ray's origin, relative to its radius:
@@ -30,7 +30,7 @@ impl Sphere {
         let from_center = ray.origin.as_dvec3() - self.center.as_dvec3();
         let radius2 = f64::from(self.radius) * f64::from(self.radius);
         let a = d.length_squared();
-        let roots = quadratic_with(
+        let roots = quadratic(
             a * radius2 - from_center.cross(d).length_squared(),
             a,
             from_center.dot(d),

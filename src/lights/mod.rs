@@ -71,11 +71,6 @@ impl Light {
             Light::Sphere(l) => l.sample(from, u),
         }
     }
-
-    /// True for lights without extent, which no ray can hit by chance.
-    pub fn is_delta(&self) -> bool {
-        matches!(self, Light::Point(_) | Light::Directional(_))
-    }
 }
 
 /// Converts a density per area into one per solid angle: `p_ω = p_A d² / |cos θ_light|`.

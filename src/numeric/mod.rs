@@ -9,7 +9,7 @@
 mod quadratic;
 mod rounding;
 
-pub use quadratic::{Roots, quadratic, quadratic_with};
+pub use quadratic::{Roots, quadratic};
 pub use rounding::{UNIT_ROUNDOFF, gamma, offset_origin};
 
 /// Sine of an angle in radians.

@@ -11,20 +11,13 @@ pub struct Roots {
 
 /// Solves `a t² + 2 h t + c = 0` for real `t`; `None` where there is none or `a` is zero.
 ///
-/// * Arguments: `h` is *half* the linear coefficient, as it falls out of `|o + t d - c|² = r²`.
-/// * Method: [`quadratic_with`] the discriminant `h² - a c` as it stands; where it cancels, say a
-///   small sphere far away, a caller may know a better form of it.
-pub fn quadratic(a: f64, h: f64, c: f64) -> Option<Roots> {
-    quadratic_with(h * h - a * c, a, h, c)
-}
-
-/// Solves `a t² + 2 h t + c = 0` as [`quadratic`] does, for a caller who knows `h² - a c` better
-/// than by that difference.
-///
+/// * Arguments: `h` is *half* the linear coefficient, as it falls out of `|o + t d - c|² = r²`, and
+///   `discriminant` is `h² - a c`: the caller has it, because that difference cancels where a better
+///   form does not, as for a small sphere far away.
 /// * Method: `q = -(h + sign(h) √(h² - a c))`, roots `q / a` and `c / q`, so that no difference of
-///   nearly equal numbers is taken outside the discriminant.
+///   nearly equal numbers is taken here.
 /// * Source: Press et al., Numerical Recipes (3rd ed. 2007), "Quadratic and Cubic Equations".
-pub fn quadratic_with(discriminant: f64, a: f64, h: f64, c: f64) -> Option<Roots> {
+pub fn quadratic(discriminant: f64, a: f64, h: f64, c: f64) -> Option<Roots> {
     // Written so that a NaN in any coefficient counts as "no root".
     if !(discriminant >= 0.0 && a != 0.0) {
         return None;
@@ -44,26 +37,31 @@ pub fn quadratic_with(discriminant: f64, a: f64, h: f64, c: f64) -> Option<Roots
 mod tests {
     use super::*;
 
+    /// With the discriminant as it stands.
+    fn solve(a: f64, h: f64, c: f64) -> Option<Roots> {
+        quadratic(h * h - a * c, a, h, c)
+    }
+
     #[test]
     fn keeps_the_small_root_that_the_school_formula_loses() {
         // Roots 1e-9 and 1e9: -h - sqrt(h² - c) is 0 to 16 digits, c / q is not.
-        let roots = quadratic(1.0, -0.5 * (1e9 + 1e-9), 1.0).expect("two roots");
+        let roots = solve(1.0, -0.5 * (1e9 + 1e-9), 1.0).expect("two roots");
         assert!((roots.near - 1e-9).abs() < 1e-24, "{roots:?}");
         assert!((roots.far - 1e9).abs() < 1e-6, "{roots:?}");
     }
 
     #[test]
     fn refuses_what_has_no_root() {
-        assert_eq!(quadratic(1.0, 0.0, 1.0), None);
-        assert_eq!(quadratic(0.0, 1.0, 1.0), None);
-        assert_eq!(quadratic(f64::NAN, 1.0, 1.0), None);
-        assert_eq!(quadratic(1.0, f64::NAN, 1.0), None);
+        assert_eq!(solve(1.0, 0.0, 1.0), None);
+        assert_eq!(solve(0.0, 1.0, 1.0), None);
+        assert_eq!(solve(f64::NAN, 1.0, 1.0), None);
+        assert_eq!(solve(1.0, f64::NAN, 1.0), None);
     }
 
     #[test]
     fn a_double_root_at_the_origin_is_two_zeros() {
         assert_eq!(
-            quadratic(2.0, 0.0, 0.0),
+            solve(2.0, 0.0, 0.0),
             Some(Roots {
                 near: 0.0,
                 far: 0.0

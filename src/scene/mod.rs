@@ -81,21 +81,3 @@ pub struct BuildReport {
     /// Time to read, check and build.
     pub time: Duration,
 }
-
-impl Scene {
-    /// Width of the image over its height.
-    pub fn aspect(&self) -> f64 {
-        f64::from(self.size[0]) / f64::from(self.size[1])
-    }
-
-    /// The distance from the camera to the farthest corner of the box of everything; 0 for an
-    /// empty scene.
-    pub fn reach(&self) -> f32 {
-        let bounds = self.bvh.bounds();
-        if bounds.is_finite() {
-            bounds.min.abs().max(bounds.max.abs()).length()
-        } else {
-            0.0
-        }
-    }
-}

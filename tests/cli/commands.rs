@@ -219,7 +219,6 @@ mod unix {
     use super::*;
     use std::io::Read;
     use std::process::{Child, Command, Stdio};
-    use std::time::Duration;
 
     fn start(folder: &std::path::Path, arguments: &[&str]) -> Child {
         Command::new(env!("CARGO_BIN_EXE_halfdisk"))
@@ -243,13 +242,8 @@ mod unix {
             "4000000",
             "--json",
         ];
-        let child = start(folder.path(), &[&long[..], &["--out", "p.exr"]].concat());
-        std::thread::sleep(Duration::from_millis(1200));
-        let kill = Command::new("kill")
-            .args(["-INT", &child.id().to_string()])
-            .status();
-        assert!(kill.unwrap().success());
-        let output = child.wait_with_output().unwrap();
+        let output =
+            crate::cli::interrupted(folder.path(), &[&long[..], &["--out", "p.exr"]].concat());
         let said = complaint(&output);
         assert_eq!(output.status.code(), Some(130), "{said}");
         let object: Value = serde_json::from_slice(&output.stdout).unwrap();

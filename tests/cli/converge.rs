@@ -189,23 +189,11 @@ fn requests_that_cannot_be_met() {
 #[cfg(unix)]
 #[test]
 fn ctrl_c_keeps_what_is_finished() {
-    use std::process::{Command, Stdio};
     let folder = folder();
     // Midpoints take a moment, the product in 8 dimensions many; a busy machine may be slower still.
-    let child = Command::new(env!("CARGO_BIN_EXE_halfdisk"))
-        .current_dir(folder.path())
-        .args(["converge", "midpoints", "product-8", "--threads", "1"])
-        .args(["--replicates", "600", "--doublings", "13"])
-        .stdout(Stdio::piped())
-        .stderr(Stdio::piped())
-        .spawn()
-        .unwrap();
-    std::thread::sleep(std::time::Duration::from_millis(1200));
-    let kill = Command::new("kill")
-        .args(["-INT", &child.id().to_string()])
-        .status();
-    assert!(kill.unwrap().success());
-    let output = child.wait_with_output().unwrap();
+    let two = ["converge", "midpoints", "product-8", "--threads", "1"];
+    let long = ["--replicates", "600", "--doublings", "13"];
+    let output = super::interrupted(folder.path(), &[&two[..], &long[..]].concat());
     let said = complaint(&output);
     assert_eq!(output.status.code(), Some(130), "{said}");
     let kept = said.contains("interrupted: 1 of 2 estimators");

@@ -65,6 +65,24 @@ pub fn halfdisk(folder: &Path, arguments: &[&str]) -> Output {
         .expect("the program starts")
 }
 
+/// Runs `halfdisk` in `folder` and interrupts it, as Ctrl-C does, once it is well under way.
+#[cfg(unix)]
+pub fn interrupted(folder: &Path, arguments: &[&str]) -> Output {
+    let child = Command::new(env!("CARGO_BIN_EXE_halfdisk"))
+        .current_dir(folder)
+        .args(arguments)
+        .stdout(std::process::Stdio::piped())
+        .stderr(std::process::Stdio::piped())
+        .spawn()
+        .expect("the program starts");
+    std::thread::sleep(std::time::Duration::from_millis(1200));
+    let kill = Command::new("kill")
+        .args(["-INT", &child.id().to_string()])
+        .status();
+    assert!(kill.expect("kill starts").success());
+    child.wait_with_output().expect("the program ends")
+}
+
 /// A folder of its own for a test.
 pub fn folder() -> TempDir {
     tempfile::tempdir().expect("a temporary folder")
