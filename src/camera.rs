@@ -1,9 +1,12 @@
-//! A pinhole camera.
+//! Who looks: a pinhole, or a thin lens in its place.
 
 use crate::geometry::Ray;
+use crate::sampling::stream::{Purpose, Stream};
+use crate::sampling::warps;
 use glam::{DVec3, Vec2, Vec3};
 
-/// A perspective camera with an infinitely small hole: every ray starts at one point.
+/// A perspective camera. With a pinhole every ray starts at one point and all is sharp; with a thin
+/// lens rays start all over its disk, and only what is in the plane of focus is sharp.
 #[derive(Clone, Copy, Debug)]
 pub struct Camera {
     origin: Vec3,
@@ -12,6 +15,22 @@ pub struct Camera {
     right: Vec3,
     /// Half the height of the image plane at distance 1, upwards.
     up: Vec3,
+    lens: Option<Lens>,
+}
+
+/// An ideal thin lens: all light from a point of the plane of focus that meets the lens comes
+/// together in one point of the film.
+///
+/// A point at depth `z` is spread over a disk which, measured in the plane at `z`, has the
+/// lens's radius times `|z - focus| / focus`.
+///
+/// Source: Cook, Porter, Carpenter, Distributed Ray Tracing (SIGGRAPH 1984), "Depth of field".
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Lens {
+    /// Radius of the disk in scene units, positive.
+    pub radius: f32,
+    /// Distance of the plane of focus along the direction of view, positive; may be infinite.
+    pub focus: f32,
 }
 
 impl Camera {
@@ -34,13 +53,44 @@ impl Camera {
             forward: forward.as_vec3(),
             right: (right * half_height * aspect).as_vec3(),
             up: (right.cross(forward) * half_height).as_vec3(),
+            lens: None,
         })
     }
 
-    /// The ray through film position `(s, t)` in `[0, 1]²`: `s` to the right, `t` downwards.
+    /// The same camera with a lens, or with a pinhole.
+    #[must_use]
+    pub fn with_lens(self, lens: Option<Lens>) -> Self {
+        Camera { lens, ..self }
+    }
+
+    /// The lens, if there is one.
+    pub fn lens(&self) -> Option<Lens> {
+        self.lens
+    }
+
+    /// From the middle of the pupil to the point of the image plane at distance 1.
+    fn toward(&self, s: f32, t: f32) -> Vec3 {
+        self.forward + self.right * (2.0 * s - 1.0) + self.up * (1.0 - 2.0 * t)
+    }
+
+    /// The ray through film position `(s, t)` in `[0, 1]²`, `s` to the right and `t` downwards, and
+    /// through the pinhole or the middle of the lens.
     pub fn ray(&self, s: f32, t: f32) -> Ray {
-        let toward = self.forward + self.right * (2.0 * s - 1.0) + self.up * (1.0 - 2.0 * t);
-        Ray::new(self.origin, toward.normalize())
+        Ray::new(self.origin, self.toward(s, t).normalize())
+    }
+
+    /// A ray through film position `(s, t)` and a uniform point of the lens; a pinhole draws no
+    /// number.
+    pub fn sample_ray(&self, s: f32, t: f32, stream: &Stream) -> Ray {
+        let Some(lens) = self.lens else {
+            return self.ray(s, t);
+        };
+        let on_disk = warps::sample_disk_concentric(stream.at(0, Purpose::Lens).two());
+        let aside = self.across(on_disk * lens.radius);
+        // From a point of the lens to the point of focus, in units of the distance of focus, so
+        // that a lens focused at infinity sends parallel rays.
+        let toward = self.toward(s, t) - aside / lens.focus;
+        Ray::new(self.origin + aside, toward.normalize())
     }
 
     /// The unit direction of view.
@@ -65,7 +115,11 @@ impl Camera {
 
     /// The point `offset` to the right and up from the camera's origin, across its view.
     pub fn beside(&self, offset: Vec2) -> Vec3 {
-        self.origin + self.right.normalize() * offset.x + self.up.normalize() * offset.y
+        self.origin + self.across(offset)
+    }
+
+    fn across(&self, offset: Vec2) -> Vec3 {
+        self.right.normalize() * offset.x + self.up.normalize() * offset.y
     }
 }
 
@@ -97,6 +151,53 @@ mod tests {
         }
         assert_eq!(camera.film_position(camera.ray(1.1, 0.5).direction), None);
         assert_eq!(camera.film_position(-camera.ray(0.5, 0.5).direction), None);
+    }
+
+    #[test]
+    fn all_rays_of_a_lens_meet_in_the_plane_of_focus() {
+        let pinhole = Camera::new(Vec3::ZERO, DVec3::Z, DVec3::Y, 0.7, 1.5).expect("a camera");
+        let (radius, focus) = (0.25, 4.0);
+        let camera = pinhole.with_lens(Some(Lens { radius, focus }));
+        // Where a ray of the sample passes the plane at depth z.
+        let at = |camera: &Camera, z: f32, sample| {
+            let ray = camera.sample_ray(0.3, 0.6, &Stream::new(1, 0, sample));
+            ray.at((z - ray.origin.z) / ray.direction.z)
+        };
+        let sharp = pinhole.ray(0.3, 0.6);
+        let mut widest = 0.0_f32;
+        for sample in 0..1000 {
+            let in_focus = sharp.at(focus / sharp.direction.z);
+            assert!((at(&camera, focus, sample) - in_focus).length() < 2e-6);
+            let behind = sharp.at(6.0 / sharp.direction.z);
+            widest = widest.max((at(&camera, 6.0, sample) - behind).length());
+        }
+        // A |z - f| / f, half of it to either side.
+        let confusion = radius * (6.0 - focus) / focus;
+        assert!(
+            widest <= confusion * 1.00001 && widest > 0.98 * confusion,
+            "{widest}"
+        );
+
+        // Focused at infinity all rays are parallel; without a lens no number is drawn.
+        let parallel = pinhole.with_lens(Some(Lens {
+            radius,
+            focus: f32::INFINITY,
+        }));
+        let stream = Stream::new(1, 0, 5);
+        let ray = parallel.sample_ray(0.3, 0.6, &stream);
+        assert_eq!(ray.direction, sharp.direction);
+        assert!(ray.origin != Vec3::ZERO);
+        let through_hole = pinhole.sample_ray(0.3, 0.6, &stream);
+        assert_eq!(
+            (through_hole.origin, through_hole.direction),
+            (sharp.origin, sharp.direction)
+        );
+        // The middle of the lens is where the hole was.
+        let middle = camera.sample_ray(0.3, 0.6, &stream.fixing(&[Purpose::Lens]));
+        assert_eq!(
+            (middle.origin, middle.direction),
+            (sharp.origin, sharp.direction)
+        );
     }
 
     #[test]

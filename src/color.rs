@@ -48,6 +48,11 @@ impl Rgb {
         (self.r + self.g + self.b) / 3.0
     }
 
+    /// The largest channel.
+    pub fn max_channel(self) -> f32 {
+        self.r.max(self.g).max(self.b)
+    }
+
     /// True where every channel is a finite number.
     pub fn is_finite(self) -> bool {
         self.r.is_finite() && self.g.is_finite() && self.b.is_finite()

@@ -3,6 +3,7 @@
 use crate::cli::{complaint, folder, halfdisk};
 use halfdisk::integrators::{Normals, Whitted};
 use halfdisk::render::{Film, Options, Progress, render};
+use halfdisk::sampling::stream::Sampler;
 use halfdisk::scene::Scene;
 use halfdisk::scene::description::{Color, Description, Exactly, Transform};
 use halfdisk::scene::gallery::{self, load_with};
@@ -12,6 +13,8 @@ use std::sync::atomic::{AtomicU64, Ordering};
 const OPTIONS: Options = Options {
     spp: 3,
     seed: 5,
+    sampler: Sampler::Independent,
+    fixed: &[],
     tile: 16,
 };
 

@@ -5,7 +5,7 @@ use halfdisk::geometry::Ray;
 use halfdisk::integrators::{Albedo, Depth, Integrator, Normals, Whitted};
 use halfdisk::output::{self, Display, Provenance};
 use halfdisk::render::{BadSample, Film, Options, Pixel, render};
-use halfdisk::sampling::stream::{Purpose, Stream};
+use halfdisk::sampling::stream::{Purpose, Sampler, Stream};
 use halfdisk::scene::gallery::{self, GALLERY, load_with};
 use halfdisk::scene::read::Source;
 use halfdisk::scene::{Scene, Tracer};
@@ -15,6 +15,8 @@ use std::path::Path;
 const OPTIONS: Options = Options {
     spp: 7,
     seed: 3,
+    sampler: Sampler::Independent,
+    fixed: &[],
     tile: 4,
 };
 

@@ -11,6 +11,7 @@ mod gather;
 mod hard_cases;
 mod hit_or_miss;
 mod ladder;
+mod lights;
 mod mistakes;
 mod mutations;
 mod notation;

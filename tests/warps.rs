@@ -1,6 +1,6 @@
 //! Samples against densities: each density integrates to one, and the samples follow it.
 
-use glam::{DVec3, Vec3};
+use glam::{DVec3, Vec2, Vec3};
 use halfdisk::sampling::stream::{Purpose, Stream};
 use halfdisk::sampling::{hemisphere, warps};
 use halfdisk::stats::chi_square::{ChiSquare, chi_square};
@@ -9,8 +9,8 @@ use std::f64::consts::TAU;
 
 /// The probability that any of the chi-square tests below rejects a right pair.
 const SIGNIFICANCE: f64 = 1e-3;
-/// How many of them there are, here and in `twins`: nineteen pairs at two resolutions each.
-const TESTS: u32 = 38;
+/// How many of them there are, here and in `twins`: twenty pairs at two resolutions each.
+const TESTS: u32 = 40;
 /// Rows and columns of cells: coarse sees a smooth error, fine a local one.
 const RESOLUTIONS: [[usize; 2]; 2] = [[8, 4], [20, 40]];
 
@@ -133,6 +133,9 @@ fn sphere() {
 fn unit_disk() {
     let pdf = |p: Vec3| warps::pdf_disk(p.truncate());
     check("disk", Domain::Disk, disk, pdf);
+    let concentric = |u| warps::sample_disk_concentric(u).extend(0.0);
+    check("concentric disk", Domain::Disk, concentric, pdf);
+    assert_eq!(warps::sample_disk_concentric([0.5; 2]), Vec2::ZERO);
 }
 
 #[test]

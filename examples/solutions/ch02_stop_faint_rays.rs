@@ -49,7 +49,7 @@ impl StopFaint {
         stream: &Stream,
     ) -> Rgb {
         let Some(hit) = hit else {
-            return tracer.scene().background;
+            return tracer.scene().background(ray.direction);
         };
         let mut li = hit.emitted(-ray.direction);
         let (Some(material), true) = (hit.object.material, here.depth < self.max_depth) else {

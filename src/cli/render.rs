@@ -2,9 +2,13 @@
 
 use super::{Stop, answer, use_threads};
 use crate::desk::{Bar, on_ctrl_c};
-use crate::integrators::{Albedo, Depth, Integrator, Kajiya, NextEvent, Normals, Whitted};
+use crate::integrators::{
+    Albedo, Combine, Depth, Integrator, Kajiya, NextEvent, Normals, Path as PathTracer, Roulette,
+    Survival, Whitted,
+};
 use crate::output::{self, Display, Provenance};
 use crate::render::{self, Options, Rendered};
+use crate::sampling::{mis::Heuristic, stream::Sampler};
 use crate::scene::{Scene, build::film_size, field::Field, gallery};
 use clap::{Args, ValueEnum};
 use serde_json::json;
@@ -20,7 +24,7 @@ pub struct Render {
     /// A scene of the gallery (see `halfdisk scenes`), or a path to a .toml file
     scene: String,
     /// How light is computed
-    #[arg(long, value_enum, default_value_t = Method::Whitted)]
+    #[arg(long, value_enum, default_value_t = Method::Path)]
     integrator: Method,
     /// Samples per pixel [default: the scene's suggestion]
     #[arg(long, value_parser = clap::value_parser!(u32).range(1..=1 << 24))]
@@ -29,6 +33,9 @@ pub struct Render {
     /// [default: the scene's suggestion]
     #[arg(long, value_parser = clap::value_parser!(u32).range(1..=100_000))]
     max_depth: Option<u32>,
+    /// How the samples of a pixel lie to each other [default: sobol for path, else independent]
+    #[arg(long, value_enum)]
+    sampler: Option<Points>,
     /// Image size in pixels, such as 640x480 [default: the scene's]
     #[arg(long, value_name = "WxH", value_parser = size)]
     size: Option<[u32; 2]>,
@@ -64,6 +71,9 @@ Examples:
 /// The integrators by name.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
 enum Method {
+    /// Path tracing with everything: shadow rays, both techniques weighted, roulette; all
+    /// materials, lamps and cameras
+    Path,
     /// Shadow, mirror and glass rays; no light between diffuse surfaces
     Whitted,
     /// A random walk, all paths L(S|D)*E; finds lamps and sky by chance only, and point and
@@ -72,12 +82,26 @@ enum Method {
     /// The same walk with a shadow ray to each lamp at diffuse surfaces: the same light with less
     /// noise; of point and directional lights LD(S|D)*E
     NextEvent,
+    /// The same with both techniques weighted: aiming at every lamp, and finding it by chance
+    Combine,
+    /// The random walk of kajiya without a longest path: it ends by Russian roulette
+    Roulette,
     /// Debugging view: the normal at the first hit, as colour
     Normals,
     /// Debugging view: the share of light the first hit sends back
     Albedo,
     /// Debugging view: the distance to the first hit (white is the farthest)
     Depth,
+}
+
+/// The samplers by name.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+enum Points {
+    /// Each sample without regard to the others; their scatter tells the error of their mean
+    Independent,
+    /// Owen-scrambled Sobol' points: evenly spread, so the error is smaller than the scatter tells;
+    /// best with 2^k samples per pixel
+    Sobol,
 }
 
 fn size(text: &str) -> Result<[u32; 2], String> {
@@ -109,22 +133,40 @@ impl Render {
             Method::Whitted => self.with(&scene, &Whitted { max_depth }),
             Method::Kajiya => self.with(&scene, &Kajiya { max_depth }),
             Method::NextEvent => self.with(&scene, &NextEvent { max_depth }),
+            Method::Combine => {
+                let heuristic = Heuristic::Power;
+                self.with(
+                    &scene,
+                    &Combine {
+                        max_depth,
+                        heuristic,
+                    },
+                )
+            }
+            Method::Roulette => {
+                let survival = Survival::Throughput(0.05);
+                self.with(&scene, &Roulette { survival })
+            }
+            Method::Path => self.with(&scene, &PathTracer::new(max_depth)),
             Method::Normals => self.with(&scene, &Normals),
             Method::Albedo => self.with(&scene, &Albedo),
             Method::Depth => self.with(&scene, &Depth),
         };
         let display = match self.integrator {
-            Method::Whitted | Method::Kajiya | Method::NextEvent => Display::Radiance,
             Method::Normals | Method::Albedo => Display::Data { white: 1.0 },
             Method::Depth => Display::Data {
                 white: rendered.film.max(),
             },
+            _ => Display::Radiance,
         };
         let spp = u64::from(self.spp(&scene));
-        let facts = Provenance::new(&scene, &self.integrator.name(), max_depth, spp, self.seed);
+        let facts = Provenance {
+            sampler: self.sampler(),
+            ..Provenance::new(&scene, &self.integrator.name(), max_depth, spp, self.seed)
+        };
         output::write(&path, &rendered.film, display, &facts)?;
         if !self.quiet {
-            eprint!("{}", report(&scene, &rendered));
+            eprint!("{}", report(&scene, &rendered, self.sampler()));
             eprintln!("wrote {}", path.display());
         }
         if self.json {
@@ -141,6 +183,7 @@ impl Render {
         let options = Options {
             spp: self.spp(scene),
             seed: self.seed,
+            sampler: self.sampler(),
             ..Options::default()
         };
         let stop = on_ctrl_c();
@@ -160,6 +203,13 @@ impl Render {
             let name = scene.name.replace(|c| !safe(c), "_");
             PathBuf::from("out").join(name + ".png")
         })
+    }
+
+    fn sampler(&self) -> Sampler {
+        match (self.sampler, self.integrator) {
+            (Some(Points::Sobol), _) | (None, Method::Path) => Sampler::Sobol,
+            _ => Sampler::Independent,
+        }
     }
 
     fn spp(&self, scene: &Scene) -> u32 {
@@ -192,7 +242,7 @@ impl Method {
 }
 
 /// What happened, for people.
-fn report(scene: &Scene, rendered: &Rendered) -> String {
+fn report(scene: &Scene, rendered: &Rendered, sampler: Sampler) -> String {
     let mut text = String::new();
     let mut line = |l: String| {
         text += &l;
@@ -215,7 +265,13 @@ fn report(scene: &Scene, rendered: &Rendered) -> String {
         rays.total() as f64 / seconds / 1e6
     ));
     let (mean, error) = rendered.film.mean();
-    line(format!("mean of the picture: {mean:.6} ± {error:.1e}"));
+    let note = match sampler {
+        Sampler::Independent => "",
+        Sampler::Sobol => " or less, for the samples lie evenly",
+    };
+    line(format!(
+        "mean of the picture: {mean:.6} ± {error:.1e}{note}"
+    ));
     if scene.report.degenerate_triangles > 0 {
         line(format!(
             "note: {} triangles without area were left out",

@@ -49,7 +49,7 @@ fn point(hit: &scene::Hit, direction: Vec3) -> Hit<Solid, Rgb> {
 impl Integrator for Gather {
     fn li(&self, tracer: &mut Tracer, ray: &geometry::Ray, stream: &Stream) -> Rgb {
         let Some(hit) = tracer.camera_ray(ray) else {
-            return tracer.scene().background;
+            return tracer.scene().background(ray.direction);
         };
         let at = point(&hit, ray.direction);
         at.emission + self.reflected(&mut SceneWorld::new(tracer), &at, stream)
@@ -65,8 +65,8 @@ impl World<Solid> for SceneWorld<'_, '_> {
         Some(point(&hit, ray.direction))
     }
 
-    fn environment(&self, _: Vec3) -> Rgb {
-        self.tracer.scene().background
+    fn environment(&self, direction: Vec3) -> Rgb {
+        self.tracer.scene().background(direction)
     }
 
     fn direct(&mut self, at: &Hit<Solid, Rgb>, stream: &Stream, node: u64) -> Rgb {

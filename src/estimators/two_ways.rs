@@ -84,13 +84,13 @@ impl<'a> TwoWays<'a> {
                 let hit = hit?;
                 let frame = Frame::new(hit.surface.n);
                 let wo = frame.to_local(-direction);
-                let u = Stream::new(seed, index, 0)
-                    .at(bounce, Purpose::Direction)
-                    .two();
-                let s = hit.object.material?.sample(wo, u)?;
-                beta *= s.f * (s.wi.z.abs() / s.pdf);
+                let stream = Stream::new(seed, index, 0);
+                let choice = stream.at(bounce, Purpose::Branch).one();
+                let u = stream.at(bounce, Purpose::Direction).two();
+                let next = hit.object.material?.scatter(wo, choice, u)?;
+                beta *= next.weight;
                 surface = hit.surface;
-                direction = frame.to_world(s.wi);
+                direction = frame.to_world(next.wi);
             }
             None
         })

@@ -1,7 +1,7 @@
 //! From a description to a flat world: every value is checked here, and named where it is wrong.
 
 use super::description::{self as said, Description, Pair};
-use super::{Circle, FlatHit, FlatWorld, Lamp, Object, Part, Segment, Shape, Window};
+use super::{Circle, FlatHit, FlatWorld, Glowing, Lamp, Object, Part, Segment, Shape, Window};
 use crate::color::Rgb;
 use crate::scene::description::Exactly;
 use crate::scene::field::{self, Checked, Field, exactly_one};
@@ -23,6 +23,7 @@ pub fn build(said: &Description) -> Checked<FlatWorld> {
         window: Window::around([]),
         objects: Vec::new(),
         parts: Vec::new(),
+        glowing: Vec::new(),
     };
     for (name, material) in &said.materials {
         // Also the ones that nobody uses.
@@ -40,6 +41,7 @@ pub fn build(said: &Description) -> Checked<FlatWorld> {
         let shapes = shapes(&field, said_object)?;
         world.parts.extend(shapes.into_iter().map(part));
     }
+    world.glowing = glowing(&world);
     if let Some(said_probe) = &said.probe {
         world.probe = Some(probe(&top.key("probe"), said_probe, &world)?);
     }
@@ -48,6 +50,18 @@ pub fn build(said: &Description) -> Checked<FlatWorld> {
         None => everything(&world),
     };
     Ok(world)
+}
+
+fn glowing(world: &FlatWorld) -> Vec<Glowing> {
+    let glow = |(number, part): (usize, &Part)| {
+        let radiance = world.objects[part.object].emission;
+        (!radiance.is_black()).then_some(Glowing {
+            shape: part.shape,
+            radiance,
+            part: number,
+        })
+    };
+    world.parts.iter().enumerate().filter_map(glow).collect()
 }
 
 fn albedo(field: &Field, said: &said::Material) -> Checked<Rgb> {

@@ -27,6 +27,7 @@ pub mod description;
 pub mod exact;
 mod frame;
 pub mod gallery;
+mod glowing;
 mod lamp;
 mod shape;
 mod surface;
@@ -34,6 +35,7 @@ mod world;
 
 pub use frame::frame;
 pub use gallery::load;
+pub use glowing::{Glowing, GlowingPoint};
 pub use lamp::{Lamp, LampLight};
 pub use shape::{Circle, Crossing, Segment, Shape};
 pub use surface::FlatSurface;

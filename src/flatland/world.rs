@@ -1,6 +1,6 @@
 //! The flat world: what a ray meets first, and what sees what.
 
-use super::{FlatSurface, Lamp, Shape};
+use super::{FlatSurface, Glowing, Lamp, Shape};
 use crate::color::Rgb;
 use glam::{DVec2, Vec2};
 
@@ -24,6 +24,7 @@ pub struct FlatWorld {
     pub window: Window,
     pub(super) objects: Vec<Object>,
     pub(super) parts: Vec<Part>,
+    pub(super) glowing: Vec<Glowing>,
 }
 
 /// What all points of an object have in common.
@@ -66,6 +67,8 @@ pub struct FlatHit {
     pub emission: Rgb,
     /// Index into [`FlatWorld::objects`].
     pub object: usize,
+    /// Index into [`FlatWorld::parts`].
+    pub part: usize,
 }
 
 impl FlatHit {
@@ -104,6 +107,11 @@ impl FlatWorld {
         &self.parts
     }
 
+    /// The parts that emit light, in the order of the file.
+    pub fn glowing(&self) -> &[Glowing] {
+        &self.glowing
+    }
+
     /// What the ray from `origin` in `direction` meets first; of two things at the same distance
     /// the one that comes first in the file. Rays that are not finite or go nowhere meet nothing.
     ///
@@ -112,13 +120,13 @@ impl FlatWorld {
         let (origin, direction) = (origin.as_dvec2(), direction.as_dvec2());
         let mut nearest = None;
         let mut reach = f64::INFINITY;
-        for part in &self.parts {
+        for (number, part) in self.parts.iter().enumerate() {
             if let Some(crossing) = part.shape.cross(origin, direction, reach) {
                 reach = crossing.t;
-                nearest = Some((crossing, part));
+                nearest = Some((crossing, number, part));
             }
         }
-        let (crossing, part) = nearest?;
+        let (crossing, number, part) = nearest?;
         let object = self.objects[part.object];
         Some(FlatHit {
             t: crossing.t as f32,
@@ -126,6 +134,7 @@ impl FlatWorld {
             albedo: object.albedo,
             emission: object.emission,
             object: part.object,
+            part: number,
         })
     }
 

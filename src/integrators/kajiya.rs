@@ -1,8 +1,8 @@
 //! Path tracing as a pure random walk: one ray in, one ray out, until a light happens to be hit.
 //!
-//! Simulates the paths `L(S|D)*E` of lamps with extent and of the background: all there are, up to
-//! the depth cut. Point and directional lights have no extent, so no walk ever meets them; a scene
-//! lit by nothing else is black.
+//! Simulates the paths `L(S|G|D)*E` of lamps with extent and of the background: all there are, up
+//! to the depth cut. Point and directional lights have no extent, so no walk ever meets them; a
+//! scene lit by nothing else is black.
 //!
 //! Differs from `whitted`: where that follows every branch of a tree and asks every lamp, this
 //! chooses one direction, diffuse ones too, and asks nobody. A path costs as many rays as it has
@@ -11,12 +11,10 @@
 //! Source: Kajiya, The Rendering Equation (SIGGRAPH 1986), without his rays to the lights: those
 //! are the next stage, `next_event`.
 
-use super::Integrator;
+use super::walkable::Walkable;
 use crate::color::Rgb;
-use crate::geometry::Ray;
-use crate::sampling::frame::Frame;
-use crate::sampling::stream::{Purpose, Stream};
-use crate::scene::Tracer;
+use crate::sampling::stream::Stream;
+use crate::space::{Ray, Space};
 
 /// The pure random walk.
 #[derive(Clone, Copy, Debug)]
@@ -26,46 +24,34 @@ pub struct Kajiya {
     pub max_depth: u32,
 }
 
-impl Integrator for Kajiya {
+impl Kajiya {
     // ANCHOR: kajiya
-    fn li(&self, tracer: &mut Tracer, ray: &Ray, stream: &Stream) -> Rgb {
+    /// One estimate of the radiance along a ray from the eye.
+    pub fn walk<S: Space>(
+        &self,
+        world: &mut impl Walkable<S>,
+        ray: &Ray<S>,
+        stream: &Stream,
+    ) -> Rgb {
         let mut li = Rgb::BLACK;
         let mut beta = Rgb::WHITE;
         let mut ray = *ray;
-        let mut hit = tracer.camera_ray(&ray);
-        for depth in 1.. {
-            let Some(here) = hit else {
-                return li + beta * tracer.scene().background;
-            };
+        for depth in 1..=self.max_depth {
+            let met = world.follow(&ray, depth);
 
-            // The light this surface sends along the path by itself.
-            li += beta * here.emitted(-ray.direction);
-            let Some(material) = here.object.material else {
-                break;
-            };
-            if depth >= self.max_depth {
+            // The light that comes along the path by itself.
+            li += beta * world.arriving(&ray, met.as_ref());
+            let Some(here) = met else { break };
+            if depth == self.max_depth {
                 break;
             }
 
-            // Choose where to look next: any direction of the smooth part, or one of the few
-            // specular ones.
-            let bounce = u64::from(depth);
-            let frame = Frame::new(here.surface.n);
-            let wo = frame.to_local(-ray.direction);
-            let u = stream.at(bounce, Purpose::Direction).two();
-            let (wi, weight) = if let Some(s) = material.sample(wo, u) {
-                let cos = s.wi.z.abs();
-                (s.wi, s.f * cos / s.pdf)
-            } else {
-                let u = stream.at(bounce, Purpose::Branch).one();
-                let Some(branch) = material.specular(wo).choose(u) else {
-                    break;
-                };
-                (branch.wi, branch.weight)
+            // Choose where to look next.
+            let Some(step) = world.scatter(&here, u64::from(depth), stream) else {
+                break;
             };
-            beta *= weight;
-            ray = here.surface.spawn(frame.to_world(wi).normalize());
-            hit = tracer.secondary_ray(&ray);
+            beta *= step.weight;
+            ray = step.ray;
         }
         li
     }

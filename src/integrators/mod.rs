@@ -4,19 +4,30 @@
 //! | integrator | simulates | by |
 //! |---|---|---|
 //! | [`Whitted`] | `LD?S*E` | a tree of specular rays, a shadow ray to each lamp |
-//! | [`Kajiya`] | `L(S\|D)*E`, lamps with extent and the background | one random walk |
-//! | [`NextEvent`] | the same; of lights without extent `LD(S\|D)*E` | the walk, and shadow rays |
+//! | [`Kajiya`] | `L(S\|G\|D)*E`, lamps with extent and the background | one random walk |
+//! | [`Roulette`] | the same, without a depth cut | the walk, which ends by chance |
+//! | [`NextEvent`] | the same; of lights without extent `L(D\|G)(S\|G\|D)*E` | the walk, and shadow rays |
+//! | [`Combine`] | the same | both, weighted |
+//! | [`Path`] | the same | all of it: the one to use |
 //!
-//! No integrator is a flag of another one. They share the floors below, never each other's lines.
+//! The walks are written against [`walkable::Walkable`] and run in flatland, too. No integrator is
+//! a flag of another one. They share the floors below, never each other's lines.
 
+mod combine;
 mod kajiya;
 mod next_event;
+mod path;
+mod roulette;
 mod tree;
 mod views;
+pub mod walkable;
 mod whitted;
 
+pub use combine::{Combine, Shares};
 pub use kajiya::Kajiya;
 pub use next_event::NextEvent;
+pub use path::Path;
+pub use roulette::{Roulette, Survival};
 pub use tree::{Met, RayKind, RecordedRay, TreeCount, TreeRay, TreeRecord, Watch};
 pub use views::{Albedo, Depth, Normals};
 pub use whitted::{Whitted, direct_light};
@@ -25,6 +36,7 @@ use crate::color::Rgb;
 use crate::geometry::Ray;
 use crate::sampling::stream::Stream;
 use crate::scene::Tracer;
+use crate::space::Solid;
 
 /// An estimate of the light along a camera ray.
 pub trait Integrator: Sync {
@@ -33,4 +45,29 @@ pub trait Integrator: Sync {
     /// A pure function of its arguments: all randomness comes from `stream`, all rays go through
     /// `tracer`.
     fn li(&self, tracer: &mut Tracer, ray: &Ray, stream: &Stream) -> Rgb;
+}
+
+impl Integrator for Kajiya {
+    fn li(&self, tracer: &mut Tracer, ray: &Ray, stream: &Stream) -> Rgb {
+        self.walk::<Solid>(tracer, &ray.into(), stream)
+    }
+}
+
+impl Integrator for Roulette {
+    fn li(&self, tracer: &mut Tracer, ray: &Ray, stream: &Stream) -> Rgb {
+        self.walk::<Solid>(tracer, &ray.into(), stream)
+    }
+}
+
+impl Integrator for NextEvent {
+    fn li(&self, tracer: &mut Tracer, ray: &Ray, stream: &Stream) -> Rgb {
+        self.walk::<Solid>(tracer, &ray.into(), stream)
+    }
+}
+
+impl Integrator for Combine {
+    fn li(&self, tracer: &mut Tracer, ray: &Ray, stream: &Stream) -> Rgb {
+        let shares = self.walk::<Solid>(tracer, &ray.into(), stream);
+        shares.by_chance + shares.by_aiming
+    }
 }

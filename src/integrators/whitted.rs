@@ -59,7 +59,7 @@ impl Whitted {
     ) -> Rgb {
         watcher.saw(here, ray, hit.as_ref());
         let Some(hit) = hit else {
-            return tracer.scene().background;
+            return tracer.scene().background(ray.direction);
         };
 
         // The light this surface sends towards the eye by itself.
@@ -108,7 +108,7 @@ impl Integrator for Whitted {
 /// The light of all lamps that the surface scatters diffusely back along `ray`; `node` is the
 /// place in the tree whose random numbers choose the points on the lamps.
 pub fn direct_light(tracer: &mut Tracer, ray: &Ray, hit: &Hit, node: u64, stream: &Stream) -> Rgb {
-    let Some(material) = hit.object.material else {
+    let Some(material) = hit.object.material.filter(|m| m.is_smooth()) else {
         return Rgb::BLACK;
     };
     let frame = Frame::new(hit.surface.n);

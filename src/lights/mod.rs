@@ -1,9 +1,11 @@
 //! Lights one can aim at: where light comes from, as seen from a surface.
 
+mod choice;
 mod delta;
 mod quad;
 mod sphere;
 
+pub use choice::LightChoice;
 pub use delta::{DirectionalLight, PointLight};
 pub use quad::QuadLight;
 pub use sphere::SphereLight;
@@ -11,9 +13,10 @@ pub use sphere::SphereLight;
 use crate::color::Rgb;
 use crate::geometry::{Ray, Surface};
 use glam::Vec3;
+use std::f64::consts::PI;
 
 /// Everything that shines. To add a light: a file, a variant, and follow the compiler.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Debug)]
 pub enum Light {
     /// A point.
     Point(PointLight),
@@ -71,6 +74,45 @@ impl Light {
             Light::Sphere(l) => l.sample(from, u),
         }
     }
+
+    /// Density in 1/sr with which [`Light::sample`] draws the unit direction `wi`, seen from `from`.
+    ///
+    /// * `at` is the point of this light that a ray along `wi` meets; `None` where it leaves the
+    ///   scene, which only lights infinitely far away can be met by.
+    ///
+    /// 0 for lights without extent, which no ray meets, and where [`Light::sample`] draws nothing.
+    pub fn pdf(&self, from: &Surface, wi: Vec3, at: Option<&Surface>) -> f32 {
+        match (self, at) {
+            (Light::Quad(l), Some(at)) => l.pdf(from, wi, at),
+            (Light::Sphere(l), Some(at)) => l.pdf(from, wi, at),
+            _ => 0.0,
+        }
+    }
+
+    /// Emitted power in W, mean over channels: what a light counts for where one of many is chosen.
+    ///
+    /// * `scene_radius`: of a sphere around the scene; a light that is infinitely far away is worth
+    ///   what it sends through a disc of this radius.
+    ///
+    /// Finite; positive for every light that shines, however faint.
+    pub fn power(&self, scene_radius: f32) -> f32 {
+        let disc = PI * f64::from(scene_radius).powi(2);
+        let power = match self {
+            Light::Point(l) => 4.0 * PI * mean(l.intensity),
+            Light::Directional(l) => disc * mean(l.irradiance),
+            Light::Quad(l) => PI * f64::from(l.quad.area()) * mean(l.radiance),
+            Light::Sphere(l) => PI * l.area() * mean(l.radiance),
+        };
+        if power > 0.0 {
+            power.clamp(f64::from(f32::MIN_POSITIVE), f64::from(f32::MAX)) as f32
+        } else {
+            0.0
+        }
+    }
+}
+
+fn mean(light: Rgb) -> f64 {
+    light.channels().map(f64::from).iter().sum::<f64>() / 3.0
 }
 
 /// Converts a density per area into one per solid angle: `p_ω = p_A d² / |cos θ_light|`.
@@ -79,4 +121,17 @@ impl Light {
 /// * `cos_light`: cosine at the light, positive.
 pub fn area_to_solid_angle(pdf_area: f32, distance2: f32, cos_light: f32) -> f32 {
     pdf_area * distance2 / cos_light
+}
+
+/// Density in 1/sr of the direction `wi` from `from` to the point `at` of a one-sided light, drawn
+/// uniformly in `area`; 0 edge-on, from behind, and on the light itself.
+fn pdf_by_area(area: f32, from: &Surface, wi: Vec3, at: &Surface) -> f32 {
+    let cos_light = -at.n.dot(wi);
+    let distance2 = (at.p - from.p).length_squared();
+    let pdf = area_to_solid_angle(1.0 / area, distance2, cos_light);
+    if cos_light > 0.0 && pdf.is_finite() {
+        pdf
+    } else {
+        0.0
+    }
 }

@@ -1,8 +1,9 @@
 //! A parallelogram that shines on one side.
 
-use super::{Incident, LightSample, area_to_solid_angle};
+use super::{Incident, LightSample, pdf_by_area};
 use crate::color::Rgb;
 use crate::geometry::{Quad, Surface};
+use glam::Vec3;
 
 /// A parallelogram of constant radiance on the side of its normal.
 #[derive(Clone, Copy, Debug)]
@@ -21,11 +22,8 @@ impl QuadLight {
         let target = self.quad.surface_at(u[0], u[1]);
         let shadow_ray = from.spawn_to(&target);
         let wi = shadow_ray.direction;
-        let cos_light = -target.n.dot(wi);
-        let distance2 = (target.p - from.p).length_squared();
-        let pdf = area_to_solid_angle(1.0 / self.quad.area(), distance2, cos_light);
-        // Edge-on and from behind the cosine is not positive; on the light itself pdf is 0.
-        (cos_light > 0.0 && pdf > 0.0 && pdf.is_finite()).then_some(LightSample {
+        let pdf = self.pdf(from, wi, &target);
+        (pdf > 0.0).then_some(LightSample {
             wi,
             incident: Incident::Radiance {
                 li: self.radiance,
@@ -33,5 +31,10 @@ impl QuadLight {
             },
             shadow_ray,
         })
+    }
+
+    /// Density of [`QuadLight::sample`] in 1/sr, in the direction `wi` that meets the light in `at`.
+    pub fn pdf(&self, from: &Surface, wi: Vec3, at: &Surface) -> f32 {
+        pdf_by_area(self.quad.area(), from, wi, at)
     }
 }

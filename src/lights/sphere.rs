@@ -5,6 +5,8 @@ use crate::color::Rgb;
 use crate::geometry::{Sphere, Surface};
 use crate::numeric::one_minus_cos;
 use crate::sampling::{frame::Frame, warps};
+use glam::{DVec3, Vec3};
+use std::f64::consts::PI;
 
 /// A sphere of constant radiance on its outside.
 #[derive(Clone, Copy, Debug)]
@@ -15,12 +17,59 @@ pub struct SphereLight {
     pub radiance: Rgb,
 }
 
+/// The cone in which a sphere is seen.
+struct Cone {
+    /// From the eye to the sphere's centre.
+    to_center: DVec3,
+    /// `1 - cos θ_max`, positive.
+    one_minus_cos_max: f32,
+}
+
 impl SphereLight {
     /// Draws a direction of the cone in which the sphere is seen, uniformly in solid angle; `None`
     /// inside, where it is dark, and on it.
     ///
     /// Density: `1 / (2π (1 - cos θ_max))`, in 1/sr, with `sin θ_max = r / d`.
     pub fn sample(&self, from: &Surface, u: [f32; 2]) -> Option<LightSample> {
+        let cone = self.cone(from)?;
+        let distance2 = cone.to_center.length_squared();
+        let axis = cone.to_center / distance2.sqrt();
+        let in_cone = warps::sample_cone(u, cone.one_minus_cos_max);
+        let toward = Frame::new(axis.as_vec3()).to_world(in_cone).as_dvec3();
+        // The near end of the chord along `toward`; at the rim the chord shrinks to a point.
+        let along = cone.to_center.dot(toward);
+        let radius = f64::from(self.sphere.radius);
+        let chord = (radius * radius - (distance2 - along * along)).max(0.0);
+        let from_center = toward * (along - chord.sqrt()) - cone.to_center;
+        let target = self.sphere.surface_towards(from_center.normalize());
+
+        let shadow_ray = from.spawn_to(&target);
+        Some(LightSample {
+            wi: shadow_ray.direction,
+            incident: Incident::Radiance {
+                li: self.radiance,
+                pdf: warps::pdf_cone(cone.one_minus_cos_max),
+            },
+            shadow_ray,
+        })
+    }
+
+    /// Density of [`SphereLight::sample`] in 1/sr, in a direction `wi` that meets the sphere from
+    /// outside in `at`.
+    pub fn pdf(&self, from: &Surface, wi: Vec3, at: &Surface) -> f32 {
+        match self.cone(from) {
+            Some(cone) if at.n.dot(wi) < 0.0 => warps::pdf_cone(cone.one_minus_cos_max),
+            _ => 0.0,
+        }
+    }
+
+    /// Area in square scene units.
+    pub fn area(&self) -> f64 {
+        4.0 * PI * f64::from(self.sphere.radius).powi(2)
+    }
+
+    /// The cone in which `from` sees the sphere; `None` inside and on it.
+    fn cone(&self, from: &Surface) -> Option<Cone> {
         let to_center = self.sphere.center.as_dvec3() - from.p.as_dvec3();
         let radius = f64::from(self.sphere.radius);
         let distance2 = to_center.length_squared();
@@ -33,23 +82,9 @@ impl SphereLight {
         if distance2.sqrt() - radius <= f64::from(from.error.length()) {
             return None;
         }
-        let axis = to_center / distance2.sqrt();
-        let in_cone = warps::sample_cone(u, one_minus_cos_max);
-        let toward = Frame::new(axis.as_vec3()).to_world(in_cone).as_dvec3();
-        // The near end of the chord along `toward`; at the rim the chord shrinks to a point.
-        let along = to_center.dot(toward);
-        let chord = (radius * radius - (distance2 - along * along)).max(0.0);
-        let from_center = toward * (along - chord.sqrt()) - to_center;
-        let target = self.sphere.surface_towards(from_center.normalize());
-
-        let shadow_ray = from.spawn_to(&target);
-        Some(LightSample {
-            wi: shadow_ray.direction,
-            incident: Incident::Radiance {
-                li: self.radiance,
-                pdf: warps::pdf_cone(one_minus_cos_max),
-            },
-            shadow_ray,
+        Some(Cone {
+            to_center,
+            one_minus_cos_max,
         })
     }
 }

@@ -7,6 +7,7 @@ mod png_file;
 pub use png_file::png_bytes;
 
 use crate::render::Film;
+use crate::sampling::stream::Sampler;
 use crate::scene::Scene;
 use std::path::Path;
 
@@ -37,6 +38,8 @@ pub struct Provenance {
     pub spp: u64,
     /// The seed.
     pub seed: u64,
+    /// How the samples of a pixel lie to each other.
+    pub sampler: Sampler,
 }
 
 impl Provenance {
@@ -49,6 +52,7 @@ impl Provenance {
             max_depth,
             spp,
             seed,
+            sampler: Sampler::Independent,
         }
     }
 }

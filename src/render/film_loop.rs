@@ -2,7 +2,7 @@
 
 use super::{BadSample, Film, Pixel};
 use crate::integrators::Integrator;
-use crate::sampling::stream::{Purpose, Stream};
+use crate::sampling::stream::{Purpose, Sampler, Stream};
 use crate::scene::{RayCounts, Scene, Tracer};
 use rayon::prelude::*;
 use std::ops::Range;
@@ -16,6 +16,10 @@ pub struct Options {
     pub spp: u32,
     /// The picture's seed.
     pub seed: u64,
+    /// How the samples of a pixel lie to each other.
+    pub sampler: Sampler,
+    /// Integrals that are left out: their purposes' numbers are all 1/2 (see [`Stream::fixing`]).
+    pub fixed: &'static [Purpose],
     /// Side of the square tiles that threads take in turn, in pixels; changes no bit.
     pub tile: u32,
 }
@@ -25,6 +29,8 @@ impl Default for Options {
         Options {
             spp: 16,
             seed: 0,
+            sampler: Sampler::Independent,
+            fixed: &[],
             tile: 16,
         }
     }
@@ -85,7 +91,7 @@ pub fn render(
                 interrupted.store(true, Ordering::Relaxed);
                 return;
             }
-            tile.sample(scene, integrator, options.seed, pass.clone());
+            tile.sample(scene, integrator, options, pass.clone());
             let samples = tile.pixels.len() as u64 * u64::from(pass.end - pass.start);
             let before = done.fetch_add(samples, Ordering::Relaxed);
             progress.tell(before + samples, total);
@@ -137,7 +143,13 @@ fn tiles([width, height]: [u32; 2], side: u32) -> Vec<Tile> {
 }
 
 impl Tile {
-    fn sample(&mut self, scene: &Scene, integrator: &impl Integrator, seed: u64, pass: Range<u32>) {
+    fn sample(
+        &mut self,
+        scene: &Scene,
+        integrator: &impl Integrator,
+        options: &Options,
+        pass: Range<u32>,
+    ) {
         let mut tracer = Tracer::new(scene);
         let [width, height] = scene.size;
         let columns = self.x.clone();
@@ -147,11 +159,13 @@ impl Tile {
             .flat_map(|y| columns.clone().map(move |x| (x, y)));
         for ((x, y), pixel) in places.zip(&mut self.pixels) {
             for sample in pass.clone() {
-                let stream = Stream::new(seed, y * width + x, sample);
+                let pixel_number = y * width + x;
+                let stream = Stream::with(options.sampler, options.seed, pixel_number, sample)
+                    .fixing(options.fixed);
                 let [u, v] = stream.at(0, Purpose::Pixel).two();
                 let s = (x as f32 + u) / width as f32;
                 let t = (y as f32 + v) / height as f32;
-                let ray = scene.camera.ray(s, t);
+                let ray = scene.camera.sample_ray(s, t, &stream);
                 let li = integrator.li(&mut tracer, &ray, &stream);
                 if li.is_finite() {
                     pixel.add(li);

@@ -8,10 +8,12 @@
 //! [`half_disk`] and [`hemisphere`] are twins: the same functions in the same order, in the flat
 //! world and in space. Read them side by side.
 
+pub mod discrete;
 pub mod flat_frame;
 pub mod frame;
 pub mod half_disk;
 pub mod hemisphere;
+pub mod mis;
 pub mod stream;
 pub mod warps;
 

@@ -14,7 +14,31 @@ pub fn sample_disk(u: [f32; 2]) -> Vec2 {
     u[0].sqrt() * Vec2::new(cos, sin)
 }
 
-/// Density of [`sample_disk`] at `p`, per unit area.
+/// Draws a point of the unit disc, uniformly, so that neighbours in the square stay neighbours and
+/// the middle of the square is the middle of the disc.
+///
+/// * Domain: `u` in `[0, 1)²` → `|p| <= 1`, up to rounding.
+/// * Density: `1 / π`, per unit area ([`pdf_disk`]).
+/// * Method: squares around the middle become circles around it.
+/// * Source: Shirley, Chiu, A Low Distortion Map Between Disk and Square (JGT 2(3), 1997).
+pub fn sample_disk_concentric(u: [f32; 2]) -> Vec2 {
+    let [x, y] = u.map(|u| 2.0 * u - 1.0);
+    // Radius and angle within the wedge around an axis, of 45 degrees to either side.
+    let wedge = |radius: f32, across: f32| {
+        let along = if radius == 0.0 { 0.0 } else { across / radius };
+        let (sin, cos) = numeric::sin_cos(0.25 * PI * along);
+        (radius * cos, radius * sin)
+    };
+    if x.abs() > y.abs() {
+        let (along, across) = wedge(x, y);
+        Vec2::new(along, across)
+    } else {
+        let (along, across) = wedge(y, x);
+        Vec2::new(across, along)
+    }
+}
+
+/// Density of [`sample_disk`] and [`sample_disk_concentric`] at `p`, per unit area.
 pub fn pdf_disk(p: Vec2) -> f32 {
     // A sample on the rim may come out a few roundings beyond it.
     if p.length_squared() <= 1.0 + gamma(8) {

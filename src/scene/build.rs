@@ -4,10 +4,10 @@ use super::description::{self as said, Description};
 use super::field::{self, Checked, Field, exactly_one};
 use super::placement::Placement;
 use super::{BuildReport, Object, Scene, Suggested, mesh_file, procedural};
-use crate::camera::Camera;
+use crate::camera::{Camera, Lens};
 use crate::color::Rgb;
-use crate::geometry::{Bvh, Mesh, Quad, Shape, Sphere};
-use crate::lights::{DirectionalLight, Light, PointLight, QuadLight, SphereLight};
+use crate::geometry::{Aabb, Bvh, Mesh, Quad, Shape, Sphere};
+use crate::lights::{DirectionalLight, Light, LightChoice, PointLight, QuadLight, SphereLight};
 use crate::materials::{Glass, Lambert, Material, Mirror};
 use glam::{DVec3, Vec3};
 use std::collections::BTreeMap;
@@ -58,6 +58,7 @@ pub fn build(said: &Description, folder: Option<&Path>) -> Checked<Scene> {
         camera,
         size,
         background,
+        light_choice: LightChoice::by_power(&parts.lights, radius(&parts.shapes)),
         lights: parts.lights,
         suggested,
         report: BuildReport {
@@ -69,6 +70,13 @@ pub fn build(said: &Description, folder: Option<&Path>) -> Checked<Scene> {
         object_of_shape: parts.object_of_shape,
         bvh: Bvh::new(&parts.shapes),
     })
+}
+
+/// Radius of a sphere around all shapes; 0 where there are none.
+fn radius(shapes: &[Shape]) -> f32 {
+    let around = shapes.iter().map(Shape::bounds).reduce(Aabb::union);
+    let diagonal = around.map(|b| b.max.as_dvec3() - b.min.as_dvec3());
+    diagonal.map_or(0.0, |d| 0.5 * d.length()) as f32
 }
 
 /// Checks the size of an image.
@@ -100,13 +108,24 @@ fn camera(field: &Field, said: &said::Camera, [w, h]: [u32; 2]) -> Checked<(DVec
         return Err(field.key("to").problem(what));
     }
     let aspect = f64::from(w) / f64::from(h);
+    let lens = lens(field, said, (to - from).length())?;
     Camera::new(Vec3::ZERO, to - from, up, said.fov.to_radians(), aspect)
-        .map(|camera| (from, camera))
+        .map(|camera| (from, camera.with_lens(lens)))
         .ok_or_else(|| {
             field
                 .key("up")
                 .problem("must not be parallel to the direction of view")
         })
+}
+
+/// The lens, where there is one; `distance` is that of the point the camera looks at.
+fn lens(field: &Field, said: &said::Camera, distance: f64) -> Checked<Option<Lens>> {
+    let radius = field::not_negative(&field.key("lens_radius"), said.lens_radius)?;
+    let focus = field::positive(&field.key("focus"), said.focus.unwrap_or(distance))?;
+    Ok((radius > 0.0).then_some(Lens {
+        radius: radius as f32,
+        focus: focus as f32,
+    }))
 }
 
 fn materials(
@@ -205,29 +224,45 @@ impl Parts<'_> {
         }
         let place = Placement::new(&field.key("transform"), said.transform.as_ref())?;
         let shapes = self.shapes(field, said, &place)?;
-        if let Some(radiance) = emission {
-            for shape in &shapes {
-                self.lights.push(match *shape {
-                    Shape::Quad(quad) => Light::Quad(QuadLight { quad, radiance }),
-                    Shape::Sphere(sphere) => Light::Sphere(SphereLight { sphere, radiance }),
-                    Shape::Triangle(_) => {
-                        return Err(field.key("emits").problem(
-                            "is not possible for triangles and meshes; \
-                             quad, box and sphere can emit light",
-                        ));
-                    }
-                });
-            }
+        let Some(radiance) = emission else {
+            self.push(shapes, material, None);
+            return Ok(());
+        };
+        for shape in shapes {
+            let light = match shape {
+                Shape::Quad(quad) => Light::Quad(QuadLight { quad, radiance }),
+                Shape::Sphere(sphere) => Light::Sphere(SphereLight { sphere, radiance }),
+                Shape::Triangle(_) => {
+                    return Err(field.key("emits").problem(
+                        "is not possible for triangles and meshes; \
+                         quad, box and sphere can emit light",
+                    ));
+                }
+            };
+            self.push(vec![shape], material, Some((light, radiance)));
         }
-        let id = self.objects.len() as u32;
+        Ok(())
+    }
+
+    /// Adds shapes as one object, which may be a light.
+    fn push(
+        &mut self,
+        shapes: Vec<Shape>,
+        material: Option<Material>,
+        light: Option<(Light, Rgb)>,
+    ) {
+        let object = self.objects.len() as u32;
+        let index = light.as_ref().map(|_| self.lights.len() as u32);
+        let (light, emission) = light.unzip();
+        self.lights.extend(light);
         self.objects.push(Object {
             material,
             emission: emission.unwrap_or_default(),
+            light: index,
         });
         self.object_of_shape
-            .extend(std::iter::repeat_n(id, shapes.len()));
+            .extend(std::iter::repeat_n(object, shapes.len()));
         self.shapes.extend(shapes);
-        Ok(())
     }
 
     fn material_named(&self, field: &Field, name: &str) -> Checked<Material> {

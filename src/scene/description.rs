@@ -61,7 +61,7 @@ impl Default for Render {
     }
 }
 
-/// A pinhole camera.
+/// A camera: a pinhole, unless it has a lens.
 #[derive(Clone, Debug, serde::Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Camera {
@@ -74,6 +74,11 @@ pub struct Camera {
     pub up: Triple,
     /// Full angle across the image height, in degrees.
     pub fov: f64,
+    /// Radius of the lens; 0 is a pinhole.
+    #[serde(default)]
+    pub lens_radius: f64,
+    /// Distance of what is sharp, along the direction of view; the point looked at, if not given.
+    pub focus: Option<f64>,
 }
 
 fn up() -> Triple {

@@ -104,6 +104,15 @@ pub fn positive(field: &Field, x: f64) -> Checked<f64> {
     }
 }
 
+/// A number that is zero or more in `f64`; smaller than `f32` can tell from zero is zero.
+pub fn not_negative(field: &Field, x: f64) -> Checked<f64> {
+    if finite(field, x)? >= 0.0 {
+        Ok(x)
+    } else {
+        Err(field.problem(format!("must be 0 or more, not {x}")))
+    }
+}
+
 /// A point or direction whose coordinates `f32` can hold.
 pub fn vector(field: &Field, Exactly(xyz): Triple) -> Checked<DVec3> {
     for (i, x) in xyz.into_iter().enumerate() {

@@ -21,8 +21,9 @@ pub use tracer::{Hit, RayCounts, Tracer};
 use crate::camera::Camera;
 use crate::color::Rgb;
 use crate::geometry::Bvh;
-use crate::lights::Light;
+use crate::lights::{Light, LightChoice};
 use crate::materials::Material;
+use glam::Vec3;
 use std::time::Duration;
 
 /// A scene ready to be rendered.
@@ -39,18 +40,27 @@ pub struct Scene {
     pub camera: Camera,
     /// Image width and height in pixels.
     pub size: [u32; 2],
-    /// Radiance of rays that leave the scene.
-    pub background: Rgb,
-    /// Lights one can aim at, in the order of the file.
+    /// Lights one can aim at: those without a surface in the order of the file, then those of
+    /// objects.
     pub lights: Vec<Light>,
+    /// Chooses one of [`Scene::lights`] by its power.
+    pub light_choice: LightChoice,
     /// What the file suggests for a render.
     pub suggested: Suggested,
     /// What happened while the scene was built.
     pub report: BuildReport,
+    background: Rgb,
     objects: Vec<Object>,
     /// For each shape of the hierarchy the object it belongs to.
     object_of_shape: Vec<u32>,
     bvh: Bvh,
+}
+
+impl Scene {
+    /// Radiance along a ray that leaves the scene in the unit `direction`.
+    pub fn background(&self, _direction: Vec3) -> Rgb {
+        self.background
+    }
 }
 
 /// What all points of an object have in common.
@@ -60,6 +70,8 @@ pub struct Object {
     pub material: Option<Material>,
     /// Radiance it emits on its front side; black for most.
     pub emission: Rgb,
+    /// The index in [`Scene::lights`] of the light that it is; `None` where it emits nothing.
+    pub light: Option<u32>,
 }
 
 /// The settings a scene file suggests; the command line has the last word.

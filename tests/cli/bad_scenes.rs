@@ -46,6 +46,12 @@ fov = 40 | fov = nan | camera.fov | between 0 and 180
 fov = 40 | fov = 0 | camera.fov | between 0 and 180
 fov = 40 | fov = 180 | camera.fov | between 0 and 180
 fov = 40 | fov = -20.0 | camera.fov | not -20
+fov = 40 | lens_radius = -1⏎fov = 40 | camera.lens_radius | must be 0 or more, not -1
+fov = 40 | lens_radius = nan⏎fov = 40 | camera.lens_radius | finite
+fov = 40 | lens_radius = 1e39⏎fov = 40 | camera.lens_radius | finite
+fov = 40 | focus = 0⏎fov = 40 | camera.focus | greater than 0
+fov = 40 | focus = nan⏎fov = 40 | camera.focus | finite
+fov = 40 | focus = -3⏎fov = 40 | camera.focus | greater than 0, not -3
 [12, 8] | [0, 8] | film.size[0] | from 1 to 65536, not 0
 [12, 8] | [12, -8] | film.size[1] | from 1 to 65536, not -8
 [12, 8] | [1000000000, 8] | film.size[0] | not 1000000000
@@ -115,7 +121,7 @@ fn fields_that_are_misspelt_or_missing() {
         r#"
 about = | abuot = | abuot | is not a field here; allowed: `name`, `about`
 max_depth = 4 | maxdepth = 4 | render.maxdepth | allowed: `max_depth` or `spp`
-fov = 40 | fow = 40 | camera.fow | allowed: `from`, `to`, `up`, `fov`
+fov = 40 | fow = 40 | camera.fow | allowed: `from`, `to`, `up`, `fov`, `lens_radius`, `focus`
 size = [12, 8] | sizes = [12, 8] | film.sizes | allowed: `size`
 lambert = | lambret = | materials.dull.lambret | `lambert`, `mirror`, `glass`
 albedo = | color = | materials.dull.lambert.color | allowed: `albedo`

@@ -56,7 +56,7 @@ fn requests_that_cannot_be_met() {
             format!("{name}: pictures end in .png, .exr or .hdr")
         );
     }
-    let sentence = ask(&["--max-depth", "64"], 2);
+    let sentence = ask(&["--integrator", "whitted", "--max-depth", "64"], 2);
     assert!(
         sentence.starts_with("--max-depth 64: ") && sentence.contains("63"),
         "{sentence}"
@@ -129,7 +129,8 @@ fn json_is_all_there_is_on_stdout() {
             format!("halfdisk {}", env!("CARGO_PKG_VERSION"))
         );
         assert_eq!(facts["scene"], "sample");
-        assert_eq!(facts["integrator"], "whitted");
+        assert_eq!(facts["integrator"], "path");
+        assert_eq!(facts["sampler"], "sobol");
         assert_eq!((&facts["max_depth"], &facts["spp"]), (&4.into(), &1.into()));
         assert_eq!(facts["seed"], 7);
         assert_eq!(object["size"], serde_json::json!([12, 8]));

@@ -305,10 +305,9 @@ fn direct_light_is_whitteds() {
 fn the_ends_of_the_ladder_see_what_they_say() {
     // No walk meets a point or a direction; shadow rays find them at diffuse surfaces.
     let dark = |integrator: &dyn Fn(&Scene, &Ray) -> Rgb| {
-        let mut said = gallery::load("whitted").unwrap();
-        said.background = Rgb::BLACK;
-        let ray = said.camera.ray(0.5, 0.95);
-        integrator(&said, &ray)
+        let scene = gallery::load_with("whitted", |said| said.background = None).unwrap();
+        let ray = scene.camera.ray(0.5, 0.95);
+        integrator(&scene, &ray)
     };
     let stream = Stream::new(0, 0, 0);
     let walk =

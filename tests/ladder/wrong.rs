@@ -31,7 +31,7 @@ impl Integrator for Wrong {
         let mut asked = false;
         for depth in 1.. {
             let Some(here) = hit else {
-                return li + beta * tracer.scene().background;
+                return li + beta * tracer.scene().background(ray.direction);
             };
             if !asked || self.slip == Slip::CountTwice {
                 li += beta * here.emitted(-ray.direction);
@@ -45,27 +45,22 @@ impl Integrator for Wrong {
             let wo = frame.to_local(-ray.direction);
             let u = stream.at(bounce, Purpose::Direction).two();
             let u_branch = stream.at(bounce, Purpose::Branch).one();
-            let wi = if let Some(s) = material.sample(wo, u) {
-                asked = true;
-                beta *= s.f * s.wi.z.abs() / s.pdf;
-                s.wi
-            } else if let Some(branch) = material.specular(wo).choose(u_branch) {
-                asked = self.slip == Slip::NeverAfterSpecular;
-                let all = material.specular(wo);
-                let mirrored = (branch.wi.z > 0.0) == (wo.z > 0.0);
-                beta *= match if mirrored {
-                    all.reflected
-                } else {
-                    all.transmitted
-                } {
-                    Some(own) if self.slip == Slip::NoProbability => own.weight,
-                    _ => branch.weight,
-                };
-                branch.wi
-            } else {
+            let Some(next) = material.scatter(wo, u_branch, u) else {
                 break;
             };
-            ray = here.surface.spawn(frame.to_world(wi).normalize());
+            asked = next.pdf.is_some() || self.slip == Slip::NeverAfterSpecular;
+            let all = material.specular(wo);
+            let mirrored = (next.wi.z > 0.0) == (wo.z > 0.0);
+            let branch = if mirrored {
+                all.reflected
+            } else {
+                all.transmitted
+            };
+            beta *= match branch {
+                Some(own) if self.slip == Slip::NoProbability => own.weight,
+                _ => next.weight,
+            };
+            ray = here.surface.spawn(frame.to_world(next.wi).normalize());
             hit = tracer.secondary_ray(&ray);
         }
         li

@@ -1,0 +1,91 @@
+//! Path tracing with both techniques at once: aim at the lamps, and look where the surface scatters,
+//! each weighted by how likely it was to find what it found.
+//!
+//! Simulates the paths `L(S|G|D)*E` of lamps with extent and of the background, and of point and
+//! directional lights `L(D|G)(S|G|D)*E`, like `next_event` and with the same expected value.
+//!
+//! Differs from `next_event`: where that drops the light of a lamp met by chance, this keeps both
+//! estimates and gives each a weight; the two weights of one direction add up to one. Large and
+//! close lamps are found better by chance, small and far ones by aiming, and nobody has to say
+//! which is which.
+//!
+//! Source: Veach, Guibas, Optimally Combining Sampling Techniques for Monte Carlo Rendering
+//! (SIGGRAPH 1995).
+
+use super::walkable::Walkable;
+use crate::color::Rgb;
+use crate::sampling::mis::Heuristic;
+use crate::sampling::stream::Stream;
+use crate::space::{Ray, Space};
+
+/// The random walk with weighted shadow rays.
+#[derive(Clone, Copy, Debug)]
+pub struct Combine {
+    /// Longest path in segments: the camera ray is the first, the shadow ray, or the ray that hits
+    /// a lamp or leaves the scene, the last.
+    pub max_depth: u32,
+    /// How weights follow densities.
+    pub heuristic: Heuristic,
+}
+
+/// What the two techniques found, kept apart; the estimate is their sum.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Shares {
+    /// Light found by chance, weighted, and all light straight from the eye or after a mirror.
+    pub by_chance: Rgb,
+    /// Light found by aiming at lamps, weighted.
+    pub by_aiming: Rgb,
+}
+
+impl Combine {
+    // ANCHOR: combine
+    /// One estimate of the radiance along a ray from the eye, by technique.
+    pub fn walk<S: Space>(
+        &self,
+        world: &mut impl Walkable<S>,
+        ray: &Ray<S>,
+        stream: &Stream,
+    ) -> Shares {
+        let mut li = Shares::default();
+        let mut beta = Rgb::WHITE;
+        let mut ray = *ray;
+        // The surface that drew the ray, and with what density; nobody else could have drawn one
+        // from the eye or after a mirror.
+        let mut drawn = None;
+        for depth in 1..=self.max_depth {
+            let met = world.follow(&ray, depth);
+
+            // The light that comes along the path by itself: aiming could have found it, too.
+            let weight = drawn.map_or(1.0, |(from, pdf)| {
+                let pdf_aim = world.pdf_aim(&from, &ray, met.as_ref());
+                self.heuristic.weight(pdf, pdf_aim)
+            });
+            li.by_chance += beta * world.arriving(&ray, met.as_ref()) * weight;
+            let Some(here) = met else { break };
+            if depth == self.max_depth {
+                break;
+            }
+
+            // The light of each lamp that is scattered once, here: chance could have found it.
+            let place = u64::from(depth);
+            for lamp in 0..world.lamps() {
+                if let Some(aimed) = world.aim(&here, lamp, place, stream) {
+                    let weight = aimed
+                        .pdf
+                        .map_or(1.0, |pdf| self.heuristic.weight(pdf, aimed.pdf_scatter));
+                    li.by_aiming += beta * aimed.light * weight;
+                }
+            }
+
+            // Choose where to look next.
+            let Some(step) = world.scatter(&here, place, stream) else {
+                break;
+            };
+            drawn = step.pdf.map(|pdf| (here, pdf));
+            beta *= step.weight;
+            ray = step.ray;
+        }
+        li
+    }
+    // ANCHOR_END: combine
+}

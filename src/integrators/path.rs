@@ -1,0 +1,150 @@
+//! Path tracing as one would use it: all materials, lamps and cameras, one shadow ray at each
+//! surface, both techniques combined, and an end by roulette.
+//!
+//! Simulates the paths `L(S|G|D)*E` of lamps with extent, of the background and the environment, and
+//! of point and directional lights `L(D|G)(S|G|D)*E`: the same light as `combine`.
+//!
+//! Differs from `combine`: one lamp is chosen by its power where that asks all, so that a scene may
+//! have thousands; and a path that carries little may end before the depth cut. It is the ladder's
+//! last rung and only puts its steps together; each has a rung of its own.
+//!
+//! Sources: Kajiya, The Rendering Equation (SIGGRAPH 1986); Arvo, Kirk, Particle Transport and Image
+//! Synthesis (SIGGRAPH 1990); Veach, Guibas, Optimally Combining Sampling Techniques for Monte Carlo
+//! Rendering (SIGGRAPH 1995).
+
+use super::Integrator;
+use super::walkable::SolidPoint;
+use crate::color::Rgb;
+use crate::geometry::{Ray, Surface};
+use crate::lights::Incident;
+use crate::sampling::mis::Heuristic;
+use crate::sampling::stream::{Numbers, Purpose, Stream};
+use crate::scene::{Hit, Tracer};
+
+/// The production path tracer.
+#[derive(Clone, Copy, Debug)]
+pub struct Path {
+    /// Longest path in segments: the camera ray is the first, the shadow ray, or the ray that hits
+    /// a lamp or leaves the scene, the last.
+    pub max_depth: u32,
+    /// Paths of fewer segments never play roulette. At [`Path::max_depth`] none does.
+    pub roulette_from: u32,
+}
+
+/// The surface that drew a ray, and the density with which it did.
+type Drawn = Option<(Surface, f32)>;
+
+/// Even a path that carries next to nothing lives on with this probability: what it may still find
+/// is not weighted up by more than its reciprocal.
+const LEAST_SURVIVAL: f32 = 0.05;
+/// Even a path that lost nothing ends once in a while.
+const MOST_SURVIVAL: f32 = 0.95;
+
+impl Path {
+    /// A path tracer whose roulette starts with the fifth segment.
+    pub fn new(max_depth: u32) -> Self {
+        Path {
+            max_depth,
+            roulette_from: 5,
+        }
+    }
+}
+
+impl Integrator for Path {
+    // ANCHOR: path
+    fn li(&self, tracer: &mut Tracer, ray: &Ray, stream: &Stream) -> Rgb {
+        let mut li = Rgb::BLACK;
+        let mut beta = Rgb::WHITE;
+        let mut ray = *ray;
+        let mut drawn = None;
+        let mut hit = tracer.camera_ray(&ray);
+        for depth in 1..=self.max_depth {
+            // The light that comes along the path by itself.
+            li += beta * arriving(tracer, &ray, hit.as_ref(), drawn);
+            let Some(here) = hit else { break };
+            let Some(material) = here.object.material else {
+                break;
+            };
+            if depth == self.max_depth {
+                break;
+            }
+
+            // The light of one lamp that is scattered once, here.
+            let place = u64::from(depth);
+            let at = SolidPoint::new(here, ray.direction);
+            if material.is_smooth() {
+                let numbers = stream.at(place, Purpose::LightPoint);
+                li += beta * aim(tracer, &at, numbers);
+            }
+
+            // Choose where to look next.
+            let mut numbers = stream.at(place, Purpose::Direction);
+            let (u, choice) = (numbers.two(), numbers.one());
+            let Some(step) = material.scatter(at.wo, choice, u) else {
+                break;
+            };
+            beta *= step.weight;
+
+            // Does the path go on? If so, it also stands for those that did not.
+            if depth >= self.roulette_from {
+                let q = beta.max_channel().clamp(LEAST_SURVIVAL, MOST_SURVIVAL);
+                if numbers.one() >= q {
+                    break;
+                }
+                beta = beta / q;
+            }
+            drawn = step.pdf.map(|pdf| (here.surface, pdf));
+            ray = here.surface.spawn(at.frame.to_world(step.wi).normalize());
+            hit = tracer.secondary_ray(&ray);
+        }
+        li
+    }
+    // ANCHOR_END: path
+}
+
+/// What the ray found at its end, weighted by how likely aiming was to find it.
+fn arriving(tracer: &Tracer, ray: &Ray, hit: Option<&Hit>, drawn: Drawn) -> Rgb {
+    let scene = tracer.scene();
+    let (radiance, light) = match hit {
+        Some(hit) => (hit.emitted(-ray.direction), hit.object.light),
+        None => (scene.background(ray.direction), None),
+    };
+    match (drawn, light) {
+        (Some((from, pdf)), Some(light)) if !radiance.is_black() => {
+            let index = light as usize;
+            let at = hit.map(|hit| &hit.surface);
+            let pdf_aim = scene.light_choice.probability(index)
+                * scene.lights[index].pdf(&from, ray.direction, at);
+            radiance * Heuristic::Power.weight(pdf, pdf_aim)
+        }
+        _ => radiance,
+    }
+}
+
+/// The light of all lamps that a surface scatters back, estimated by one of them.
+fn aim(tracer: &mut Tracer, at: &SolidPoint, mut numbers: Numbers) -> Rgb {
+    let scene = tracer.scene();
+    let (u, pick) = (numbers.two(), numbers.one());
+    let (Some(material), Some((index, probability))) =
+        (at.hit.object.material, scene.light_choice.choose(pick))
+    else {
+        return Rgb::BLACK;
+    };
+    let Some(sample) = scene.lights[index].sample(&at.hit.surface, u) else {
+        return Rgb::BLACK;
+    };
+    let wi = at.frame.to_local(sample.wi);
+    let scattered = material.f(at.wo, wi) * wi.z.abs();
+    if scattered.is_black() || !tracer.is_free(&sample.shadow_ray) {
+        return Rgb::BLACK;
+    }
+    scattered
+        * match sample.incident {
+            Incident::Radiance { li, pdf } => {
+                let pdf_aim = pdf * probability;
+                let weight = Heuristic::Power.weight(pdf_aim, material.pdf(at.wo, wi));
+                li * (weight / pdf_aim)
+            }
+            Incident::Irradiance(e) => e / probability,
+        }
+}

@@ -1,0 +1,82 @@
+//! Path tracing of any length: Russian roulette in place of a depth cut.
+//!
+//! Simulates the paths `L(S|G|D)*E` of lamps with extent and of the background, all of them.
+//!
+//! Differs from `kajiya`: at each surface the path survives with a probability `q`, and what a
+//! survivor finds counts `1/q`. A cut loses the light of all longer paths; this loses none in the
+//! mean. What it costs is variance: with albedo `ρ` everywhere and a constant `q` that variance is
+//! infinite for `q <= ρ²`, and nothing but the survivors' number tells.
+//!
+//! Source: Arvo, Kirk, Particle Transport and Image Synthesis (SIGGRAPH 1990), "Russian roulette".
+
+use super::walkable::Walkable;
+use crate::color::Rgb;
+use crate::sampling::stream::{Purpose, Stream};
+use crate::space::{Ray, Space};
+
+/// The random walk that ends by chance.
+#[derive(Clone, Copy, Debug)]
+pub struct Roulette {
+    /// How likely a path is to survive.
+    pub survival: Survival,
+}
+
+/// The probability with which a path goes on.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Survival {
+    /// Always the same, in `(0, 1)`.
+    Constant(f32),
+    /// The largest channel of the path's throughput, but at least this: a path that carries little
+    /// is worth little work.
+    Throughput(f32),
+}
+
+impl Survival {
+    /// The probability for a path of throughput `beta`. Never more than 0.95: between white
+    /// surfaces a throughput stays one for ever.
+    pub fn probability(self, beta: Rgb) -> f32 {
+        match self {
+            Survival::Constant(q) => q,
+            Survival::Throughput(least) => beta.max_channel().clamp(least, 0.95),
+        }
+    }
+}
+
+impl Roulette {
+    // ANCHOR: roulette
+    /// One estimate of the radiance along a ray from the eye.
+    pub fn walk<S: Space>(
+        &self,
+        world: &mut impl Walkable<S>,
+        ray: &Ray<S>,
+        stream: &Stream,
+    ) -> Rgb {
+        let mut li = Rgb::BLACK;
+        let mut beta = Rgb::WHITE;
+        let mut ray = *ray;
+        for depth in 1.. {
+            let met = world.follow(&ray, depth);
+
+            // The light that comes along the path by itself.
+            li += beta * world.arriving(&ray, met.as_ref());
+            let Some(here) = met else { break };
+
+            // Choose where to look next.
+            let place = u64::from(depth);
+            let Some(step) = world.scatter(&here, place, stream) else {
+                break;
+            };
+            beta *= step.weight;
+            ray = step.ray;
+
+            // Does the path go on? If so, it also stands for those that did not.
+            let q = self.survival.probability(beta);
+            if stream.at(place, Purpose::Survival).one() >= q {
+                break;
+            }
+            beta = beta / q;
+        }
+        li
+    }
+    // ANCHOR_END: roulette
+}

@@ -1,0 +1,79 @@
+//! `pdf` is the density that `sample` has.
+
+use super::{GROUND, scene};
+use glam::Vec3;
+use halfdisk::geometry::{Ray, Surface};
+use halfdisk::integrators::{Integrator, Kajiya};
+use halfdisk::lights::Incident;
+use halfdisk::sampling::stream::{Purpose, Stream};
+use halfdisk::scene::{Scene, Tracer};
+
+/// The largest relative difference between the density of a sample and that of its direction, over
+/// samples of the only light of a scene that a ray along them meets.
+pub fn worst_difference(scene: &Scene, from: &Surface, samples: u32) -> f32 {
+    let light = &scene.lights[0];
+    let (mut worst, mut met) = (0.0_f32, 0);
+    for i in 0..samples {
+        let u = Stream::new(5, i, 0).at(0, Purpose::LightPoint).two();
+        let Some(sample) = light.sample(from, u) else {
+            continue;
+        };
+        let Incident::Radiance { pdf, .. } = sample.incident else {
+            panic!("a light without extent");
+        };
+        let mut tracer = Tracer::new(scene);
+        // A sample at the rim may be missed by a rounding.
+        let Some(hit) = tracer.secondary_ray(&from.spawn(sample.wi)) else {
+            continue;
+        };
+        assert_eq!(hit.object.light, Some(0));
+        met += 1;
+        worst = worst.max((light.pdf(from, sample.wi, Some(&hit.surface)) / pdf - 1.0).abs());
+    }
+    assert!(met * 100 > samples * 99, "{met} of {samples} were met");
+    worst
+}
+
+#[test]
+fn of_a_sample_and_of_its_direction_are_one() {
+    for (name, light) in [
+        (
+            "quad",
+            "quad = { corner = [-0.5, 1, 0], u = [1, 0, 0], v = [0, 0, 1] }",
+        ),
+        ("sphere", "sphere = { center = [2, 1, 1], radius = 0.8 }"),
+        (
+            "small sphere",
+            "sphere = { center = [2, 1, 1], radius = 1e-3 }",
+        ),
+    ] {
+        let scene = scene(&format!("[[objects]]\nemits = 1\n{light}"));
+        let worst = worst_difference(&scene, &GROUND, 10_000);
+        println!("{name}: {worst:e}");
+        assert!(worst < 1e-4, "{name}: {worst}");
+    }
+}
+
+#[test]
+fn where_nothing_is_drawn_there_is_none() {
+    let lamps = scene(
+        "[[objects]]\nemits = 1\nquad = { corner = [-0.5, 1, 0], u = [0, 0, 1], v = [1, 0, 0] }\n\
+         [[objects]]\nemits = 1\nsphere = { center = [0, 0, 0], radius = 3 }\n\
+         [[lights]]\npoint = { position = [0, 1, 0], intensity = 1 }\n\
+         [[lights]]\ndirectional = { direction = [0, -1, 0], irradiance = 5 }",
+    );
+    let at = Surface {
+        p: Vec3::Y,
+        n: Vec3::Y,
+        ..GROUND
+    };
+    for light in &lamps.lights {
+        assert_eq!(light.pdf(&GROUND, Vec3::Y, Some(&at)), 0.0, "{light:?}");
+        assert_eq!(light.pdf(&GROUND, Vec3::Y, None), 0.0, "{light:?}");
+    }
+    // From a quad's back and from inside a sphere no light is seen, either.
+    let ray = Ray::new(Vec3::ZERO, Vec3::new(0.1, 1.0, 0.2).normalize());
+    let walk = Kajiya { max_depth: 3 };
+    let li = walk.li(&mut Tracer::new(&lamps), &ray, &Stream::new(0, 0, 0));
+    assert!(li.is_black());
+}
