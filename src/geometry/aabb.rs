@@ -4,6 +4,10 @@ use super::PreparedRay;
 use crate::numeric::gamma;
 use glam::{DVec3, Vec3};
 
+/// What moves an entry forward: the roundings of difference, reciprocal and product on each side,
+/// and one of the shape's own.
+pub(super) const EARLIER: f32 = 1.0 - 2.0 * gamma(4);
+
 /// An axis-aligned box, corners included.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Aabb {
@@ -63,8 +67,6 @@ impl Aabb {
     /// Source: Ize, Robust BVH Ray Traversal (JCGT 2(2), 2013).
     #[inline]
     pub fn entry(&self, ray: &PreparedRay, t_max: f32) -> Option<f32> {
-        // Difference, reciprocal and product on each side, and one rounding of the shape's own.
-        const EARLIER: f32 = 1.0 - 2.0 * gamma(4);
         let mut t0 = 0.0;
         let mut t1 = t_max;
         let mut axis = |min: f32, max: f32, origin: f32, inverse: f32| {

@@ -1,0 +1,196 @@
+//! A bounding volume hierarchy: the first hit without testing every shape.
+
+mod build;
+mod node;
+mod packet;
+
+use super::{Crossing, PreparedRay, Ray, Shape};
+use build::{MAX_DEPTH, build};
+use node::{Child, Link, Node, WIDTH};
+use packet::Packet;
+
+/// Every node on the way down leaves at most all its children but one waiting.
+const STACK_SIZE: usize = MAX_DEPTH * (WIDTH - 1) + 1;
+
+/// A tree of boxes over shapes, eight to a node.
+///
+/// Built by the binned surface area heuristic (Wald, On Fast Construction of SAH-based Bounding
+/// Volume Hierarchies, Symposium on Interactive Ray Tracing 2007), wide for the sake of vector
+/// instructions (Wald, Benthin, Boulos, Getting Rid of Packets, Symposium on Interactive Ray
+/// Tracing 2008). Every shape has a box of its own in some node, so that few are tested which the
+/// ray does not cross. Shapes whose box is not finite cannot be hit and are left out.
+#[derive(Clone, Debug, Default)]
+pub struct Bvh {
+    /// The root first; empty for no shapes.
+    nodes: Vec<Node>,
+    packets: Vec<Packet>,
+    /// In the order of the tree.
+    shapes: Vec<Shape>,
+    /// For each of `shapes`, its index in the list the tree was built from.
+    ids: Vec<u32>,
+}
+
+/// What a ray meets first.
+#[derive(Clone, Copy, Debug)]
+pub struct Found<'a> {
+    /// Where.
+    pub crossing: Crossing,
+    /// The index of the shape in the list the tree was built from.
+    pub id: u32,
+    /// The shape.
+    pub shape: &'a Shape,
+}
+
+/// What waits to be visited, with the distance of its box in the upper half: the order of these
+/// numbers is that of the distances, for those are not negative.
+#[derive(Clone, Copy, Default, PartialEq, Eq, PartialOrd, Ord)]
+struct Waiting(u64);
+
+impl Waiting {
+    #[inline(always)]
+    fn new(entry: f32, link: Link) -> Self {
+        Waiting(u64::from(entry.to_bits()) << 32 | u64::from(link.0))
+    }
+
+    #[inline(always)]
+    fn entry(self) -> f32 {
+        f32::from_bits((self.0 >> 32) as u32)
+    }
+
+    #[inline(always)]
+    fn link(self) -> Link {
+        Link(self.0 as u32)
+    }
+}
+
+impl Bvh {
+    /// The tree over `shapes`; the index of each in this list is its id.
+    pub fn new(shapes: &[Shape]) -> Self {
+        let tree = build(shapes);
+        let ids = tree.ids();
+        Bvh {
+            nodes: tree.nodes,
+            packets: tree.packets,
+            shapes: ids.iter().map(|id| shapes[*id as usize]).collect(),
+            ids,
+        }
+    }
+
+    /// The first crossing of the ray; of several shapes at the same distance the one with the
+    /// lowest id, whatever the order of the tree.
+    pub fn first(&self, ray: &Ray) -> Option<Found<'_>> {
+        let mut best: Option<(Crossing, usize)> = None;
+        self.visit::<true>(ray, |at, crossing| {
+            if best.is_none_or(|(b, i)| crossing.t < b.t || self.ids[at] < self.ids[i]) {
+                best = Some((crossing, at));
+            }
+            false
+        });
+        best.map(|(crossing, at)| Found {
+            crossing,
+            id: self.ids[at],
+            shape: &self.shapes[at],
+        })
+    }
+
+    /// True where the ray crosses anything at all.
+    pub fn any(&self, ray: &Ray) -> bool {
+        let mut hit = false;
+        self.visit::<false>(ray, |_, _| {
+            hit = true;
+            true
+        });
+        hit
+    }
+
+    /// Calls `meet` with every crossing that may be the first, and the place of its shape, until it
+    /// answers true; nearest boxes first where that is asked for.
+    #[inline(always)]
+    fn visit<const NEAREST_FIRST: bool>(
+        &self,
+        ray: &Ray,
+        mut meet: impl FnMut(usize, Crossing) -> bool,
+    ) {
+        if self.nodes.is_empty() || !ray.is_valid() {
+            return;
+        }
+        let prepared = PreparedRay::from(ray);
+        let mut t_max = ray.reach();
+        let mut stack = [Waiting::default(); STACK_SIZE];
+        let mut height = 0;
+        let mut next = Waiting::new(0.0, Child::Node(0).into());
+        loop {
+            if next.entry() <= t_max {
+                match next.link().child() {
+                    Child::Shape(at) => {
+                        if let Some(crossing) = self.shapes[at].cross(&prepared, t_max) {
+                            t_max = crossing.t;
+                            if meet(at, crossing) {
+                                return;
+                            }
+                        }
+                    }
+                    Child::Packet(at) => {
+                        let packet = &self.packets[at];
+                        for lane in lanes(packet.candidates(&prepared)) {
+                            if let Some(crossing) = packet.triangle(lane).cross(&prepared, t_max) {
+                                t_max = crossing.t;
+                                if meet(packet.first as usize + lane, crossing) {
+                                    return;
+                                }
+                            }
+                        }
+                    }
+                    Child::Node(at) => {
+                        let node = &self.nodes[at];
+                        let (entries, met) = node.entries(&prepared, t_max);
+                        let base = height;
+                        for lane in lanes(met) {
+                            let child = Waiting::new(entries[lane], node.links[lane]);
+                            let mut at = height;
+                            while NEAREST_FIRST && at > base && stack[at - 1] < child {
+                                stack[at] = stack[at - 1];
+                                at -= 1;
+                            }
+                            stack[at] = child;
+                            height += 1;
+                        }
+                    }
+                }
+            }
+            if height == 0 {
+                return;
+            }
+            height -= 1;
+            next = stack[height];
+        }
+    }
+}
+
+/// The lanes whose bits are set.
+#[inline(always)]
+fn lanes(mut mask: u32) -> impl Iterator<Item = usize> {
+    std::iter::from_fn(move || {
+        let lane = mask.trailing_zeros() as usize % WIDTH;
+        let left = mask != 0;
+        mask &= mask.wrapping_sub(1);
+        left.then_some(lane)
+    })
+}
+
+/// The tree's answer without the tree: every shape is tested. Slow, plain, the yardstick.
+pub fn brute_force(shapes: &[Shape], ray: &Ray) -> Option<(Crossing, u32)> {
+    if !ray.is_valid() {
+        return None;
+    }
+    let prepared = PreparedRay::from(ray);
+    let mut best: Option<(Crossing, u32)> = None;
+    for (id, shape) in shapes.iter().enumerate() {
+        if let Some(crossing) = shape.cross(&prepared, ray.reach())
+            && best.is_none_or(|(b, _)| crossing.t < b.t)
+        {
+            best = Some((crossing, id as u32));
+        }
+    }
+    best
+}
