@@ -142,6 +142,16 @@ pub fn srgb_encode(linear: f64) -> f64 {
     }
 }
 
+/// The inverse of [`srgb_encode`]: encoded `[0, 1]` to linear `[0, 1]`, clamped at both ends.
+pub fn srgb_decode(encoded: f64) -> f64 {
+    let x = encoded.clamp(0.0, 1.0);
+    if x <= 0.040_45 {
+        x / 12.92
+    } else {
+        libm::pow((x + 0.055) / 1.055, 2.4)
+    }
+}
+
 /// A value in `[0, 1]` to one of 256 equally wide levels; outside it clamps.
 ///
 /// `(256 x) as u8`, not `(255 x + 0.5) as u8`: every level is then equally wide, and `k / 255`
@@ -174,6 +184,15 @@ mod tests {
         assert_eq!((levels[0], levels[10_000]), (0, 255));
         // Middle grey: 0.2140 linear is level 127 or 128 of 255 (a plain quantiser would say 54).
         assert!((127..=128).contains(&quantise(srgb_encode(0.2140))));
+    }
+
+    #[test]
+    fn the_transfer_curve_comes_back() {
+        for k in 0..=255 {
+            let x = f64::from(k) / 255.0;
+            assert!((srgb_encode(srgb_decode(x)) - x).abs() < 1e-6, "{x}");
+        }
+        assert_eq!((srgb_decode(-1.0), srgb_decode(2.0)), (0.0, 1.0));
     }
 
     #[test]

@@ -15,6 +15,7 @@ mod lights;
 mod mistakes;
 mod mutations;
 mod notation;
+mod peers;
 mod tidy;
 mod truth;
 mod twins;

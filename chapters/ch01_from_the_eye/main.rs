@@ -130,7 +130,9 @@ fn agreement(desk: &mut Desk, light: &Traced, eye: &Traced) {
             ..mean
         },
     );
-    let z = compare::z_scores(&light.film, &eye.film);
+    let Some(z) = compare::z_scores(&light.film.picture(), &eye.film.picture()) else {
+        return;
+    };
     let says = "mean of z² over pixels and channels: 1 where they agree";
     desk.estimate("agreement", says, &z.squares, Some(1.0));
     desk.value(

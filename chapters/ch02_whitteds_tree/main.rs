@@ -94,7 +94,7 @@ fn work(desk: &mut Desk) -> Result<Ledger, DeskError> {
     for depth in 3..=desk.choose(10, 6) {
         let now = whole(desk, &scene, depth)?;
         spent += now.rays.total();
-        let change = compare::mse(&now.film, &before.film).sqrt();
+        let change = compare::mse(&now.film.picture(), &before.film.picture()).sqrt();
         let added = now.rays.total() - before.rays.total();
         let per_sample = added as f64 / now.rays.camera as f64;
         gains.push((f64::from(depth), change, per_sample));

@@ -115,7 +115,7 @@ fn main() -> Result<(), SceneError> {
             "below {epsilon}: {:.1} % of the rays, bias of the mean {:+.6}, largest pixel error {:.2e} RMS",
             100.0 * cut.rays.total() as f64 / whole.rays.total() as f64,
             mean(&cut.film) - mean(&whole.film),
-            compare::mse(&cut.film, &whole.film).sqrt(),
+            compare::mse(&cut.film.picture(), &whole.film.picture()).sqrt(),
         );
     }
     Ok(())

@@ -57,7 +57,7 @@ pub fn two_ways(
             ];
             let squares = runs
                 .each_ref()
-                .map(|run| compare::mse(&run.film, reference));
+                .map(|run| compare::mse(&run.film.picture(), &reference.picture()));
             let price = |i: usize| squares[i] * runs[i].rays as f64;
             prices.log_ratio.add(libm::log(price(0) / price(1)));
             for i in 0..2 {

@@ -3,8 +3,10 @@
 mod exr_file;
 mod hdr_file;
 mod png_file;
+mod read;
 
 pub use png_file::png_bytes;
+pub use read::read;
 
 use crate::render::Film;
 use crate::sampling::stream::Sampler;
@@ -90,6 +92,9 @@ pub enum OutputError {
     /// The file system refused.
     #[error("{0}: {1}")]
     File(String, std::io::Error),
+    /// What is in the file is no picture.
+    #[error("{0} {1}")]
+    Reading(String, String),
     /// The encoder refused.
     #[error("the picture cannot be encoded as {0}: {1}")]
     Encoding(String, String),

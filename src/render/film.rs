@@ -1,5 +1,6 @@
 //! What the samples add up to.
 
+use super::Picture;
 use crate::color::Rgb;
 use crate::stats::Estimate;
 
@@ -94,6 +95,11 @@ impl Film {
         }
         let n = values.count().max(1) as f64;
         (values.mean(), squared_error.sqrt() / n)
+    }
+
+    /// Values and errors alone.
+    pub fn picture(&self) -> Picture {
+        self.into()
     }
 
     /// The variance of one sample, mean over pixels and channels.

@@ -7,6 +7,8 @@
 pub mod compare;
 mod film;
 mod film_loop;
+mod picture;
 
 pub use film::{BadSample, Film, Pixel};
 pub use film_loop::{Options, Progress, Rendered, render};
+pub use picture::Picture;

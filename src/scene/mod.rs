@@ -8,6 +8,7 @@ pub mod build;
 pub mod description;
 pub mod field;
 pub mod gallery;
+pub mod image_file;
 mod mesh_file;
 mod placement;
 mod procedural;

@@ -260,7 +260,7 @@ fn agree(name: &str, max_depth: u32, a: &Film, b: &Film) {
     assert!(apart(name, a, b).abs() <= CRITICAL);
     let [a, b] = without_lamps(name, max_depth, [a, b]);
     assert!(apart(&format!("{name} but lamps"), &a, &b).abs() <= CRITICAL);
-    let z = compare::z_scores(&a, &b);
+    let z = compare::z_scores(&a.picture(), &b.picture()).unwrap();
     let (squares, error) = (z.squares.mean(), z.squares.std_error());
     println!(
         "  z² {squares:.3} ± {error:.3}, largest |z| {:.2}",
