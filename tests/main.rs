@@ -12,6 +12,7 @@ mod hard_cases;
 mod hit_or_miss;
 mod ladder;
 mod lights;
+mod materials;
 mod mistakes;
 mod mutations;
 mod notation;

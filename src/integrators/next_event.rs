@@ -12,6 +12,9 @@
 //! the scene. Less noise where lamps are small or far; more where they are large and close, and on
 //! gloss.
 //!
+//! Gloss counts as diffuse: shadow rays go from there, too. The smoother it is, the fewer of the
+//! points drawn on a lamp lie in its lobe, and the larger is the noise.
+//!
 //! Source: Kajiya, The Rendering Equation (SIGGRAPH 1986); Shirley, Wang, Zimmerman, Monte Carlo
 //! Techniques for Direct Lighting Calculations (TOG 15(1), 1996).
 

@@ -107,7 +107,13 @@ impl Watch for TreeRecord {
             _ if !h.object.emission.is_black() => Met::Lamp,
             Some(Material::Mirror(_)) => Met::Mirror,
             Some(Material::Glass(_)) => Met::Glass,
-            Some(Material::Lambert(_)) | None => Met::Diffuse,
+            Some(
+                Material::Lambert(_)
+                | Material::Glossy(_)
+                | Material::RoughGlass(_)
+                | Material::Mixture(_),
+            )
+            | None => Met::Diffuse,
         });
         self.rays.push(RecordedRay {
             node: *here,

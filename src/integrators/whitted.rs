@@ -2,7 +2,8 @@
 //!
 //! Simulates the paths `LD?S*E`: light that is seen directly, through any number of perfectly
 //! specular bounces, or after exactly one diffuse reflection. Light that bounces between diffuse
-//! surfaces, or is focused on one by glass, is not there.
+//! surfaces, or is focused on one by glass, is not there. Rough mirrors and rough glass count as
+//! diffuse here: they show lamps, and nothing else.
 //!
 //! Source: Whitted, An Improved Illumination Model for Shaded Display (CACM 23(6), 1980). His
 //! lights are points; here a shadow ray aims at a random point of an extended light.

@@ -18,29 +18,39 @@ pub struct Glass {
 impl Glass {
     /// The mirrored and the refracted direction; their weights add up to exactly one.
     pub fn specular(&self, wo: Vec3) -> Specular {
-        let outside = wo.z >= 0.0;
-        let ior = f64::from(self.ior);
-        let eta = if outside { ior } else { 1.0 / ior };
         let cos_o = f64::from(wo.z.abs()).min(1.0);
-
-        let reflectance = round_to_grid(fresnel::dielectric(cos_o, eta));
+        let reflectance = round_to_grid(fresnel::dielectric(cos_o, eta(wo, self.ior)));
         let reflected = Branch {
             wi: reflect(wo),
             weight: Rgb::grey(reflectance),
         };
-        let transmitted = fresnel::cos_refracted(cos_o, eta).map(|cos_t| {
-            let z = if outside { -cos_t } else { cos_t };
-            let xy = -wo.truncate().as_dvec2() / eta;
-            Branch {
-                wi: xy.extend(z).as_vec3(),
-                weight: Rgb::grey(1.0 - reflectance),
-            }
+        let transmitted = refract(wo, self.ior).map(|wi| Branch {
+            wi,
+            weight: Rgb::grey(1.0 - reflectance),
         });
         Specular {
             reflected: (reflectance > 0.0).then_some(reflected),
             transmitted,
         }
     }
+}
+
+/// The direction in which `wo` is refracted by the plane `z = 0` with a medium of index `ior` behind
+/// it; `None` under total reflection.
+pub(super) fn refract(wo: Vec3, ior: f32) -> Option<Vec3> {
+    let eta = eta(wo, ior);
+    let cos_o = f64::from(wo.z.abs()).min(1.0);
+    fresnel::cos_refracted(cos_o, eta).map(|cos_t| {
+        let z = if wo.z >= 0.0 { -cos_t } else { cos_t };
+        let xy = -wo.truncate().as_dvec2() / eta;
+        xy.extend(z).as_vec3()
+    })
+}
+
+/// The index on the far side of the surface over that on the side of `wo`.
+pub(super) fn eta(wo: Vec3, ior: f32) -> f64 {
+    let ior = f64::from(ior);
+    if wo.z >= 0.0 { ior } else { 1.0 / ior }
 }
 
 /// The nearest multiple of 2^-24. Both it and its complement to one are `f32` numbers, so a ray

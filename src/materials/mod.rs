@@ -5,14 +5,21 @@
 //! cosine.
 
 pub mod fresnel;
+pub mod ggx;
 mod glass;
+mod glossy;
 mod lambert;
 mod mirror;
+mod mixture;
+mod rough_glass;
 mod specular;
 
 pub use glass::Glass;
+pub use glossy::Glossy;
 pub use lambert::Lambert;
 pub use mirror::Mirror;
+pub use mixture::{Choice, Mixture};
+pub use rough_glass::RoughGlass;
 pub use specular::{Branch, Specular};
 
 use crate::color::Rgb;
@@ -28,6 +35,12 @@ pub enum Material {
     Mirror(Mirror),
     /// A smooth interface to a transparent medium.
     Glass(Glass),
+    /// Reflection by a rough mirror.
+    Glossy(Glossy),
+    /// A rough interface to a transparent medium.
+    RoughGlass(RoughGlass),
+    /// Diffuse, specular and transmitted light in constant shares.
+    Mixture(Mixture),
 }
 
 /// How a path goes on from a surface.
@@ -55,11 +68,41 @@ pub enum Event {
     Specular,
 }
 
+/// Below this α roughness does not show: the specular twin stands in, of which scattered directions
+/// differ by a few thousandths of a radian, and shadow rays would be in vain.
+pub const SMOOTH: f32 = 1e-3;
+
 impl Material {
+    /// A rough mirror, or below α = [`SMOOTH`] a perfect one.
+    ///
+    /// * `alpha`: in `(0, 1]`.
+    pub fn glossy(reflectance: Rgb, alpha: f32) -> Material {
+        if alpha < SMOOTH {
+            Material::Mirror(Mirror { reflectance })
+        } else {
+            Material::Glossy(Glossy { reflectance, alpha })
+        }
+    }
+
+    /// Rough glass, or smooth one below α = [`SMOOTH`], and where the index is so close to 1 that
+    /// roughness bends light by less than 1e-4 radian.
+    ///
+    /// * `alpha`: in `(0, 1]`.
+    pub fn rough_glass(ior: f32, alpha: f32) -> Material {
+        if alpha < SMOOTH || alpha * (ior - 1.0).abs() < 1e-4 {
+            Material::Glass(Glass { ior })
+        } else {
+            Material::RoughGlass(RoughGlass { ior, alpha })
+        }
+    }
+
     /// The smooth part of the BSDF in 1/sr, without cosine.
     pub fn f(&self, wo: Vec3, wi: Vec3) -> Rgb {
         match self {
             Material::Lambert(m) => m.f(wo, wi),
+            Material::Glossy(m) => m.f(wo, wi),
+            Material::RoughGlass(m) => m.f(wo, wi),
+            Material::Mixture(m) => m.f(wo, wi),
             Material::Mirror(_) | Material::Glass(_) => Rgb::BLACK,
         }
     }
@@ -73,6 +116,9 @@ impl Material {
             Material::Lambert(m) => m.scatter(wo, u),
             Material::Mirror(m) => m.specular(wo).scatter(choice),
             Material::Glass(m) => m.specular(wo).scatter(choice),
+            Material::Glossy(m) => m.scatter(wo, u),
+            Material::RoughGlass(m) => m.scatter(wo, choice, u),
+            Material::Mixture(m) => m.scatter(wo, choice, u),
         }
     }
 
@@ -81,6 +127,9 @@ impl Material {
     pub fn pdf(&self, wo: Vec3, wi: Vec3) -> f32 {
         match self {
             Material::Lambert(m) => m.pdf(wo, wi),
+            Material::Glossy(m) => m.pdf(wo, wi),
+            Material::RoughGlass(m) => m.pdf(wo, wi),
+            Material::Mixture(m) => m.pdf(wo, wi),
             Material::Mirror(_) | Material::Glass(_) => 0.0,
         }
     }
@@ -89,7 +138,8 @@ impl Material {
     /// shadow rays are in vain.
     pub fn is_smooth(&self) -> bool {
         match self {
-            Material::Lambert(_) => true,
+            Material::Lambert(_) | Material::Glossy(_) | Material::RoughGlass(_) => true,
+            Material::Mixture(m) => !m.kd.is_black(),
             Material::Mirror(_) | Material::Glass(_) => false,
         }
     }
@@ -97,18 +147,24 @@ impl Material {
     /// The perfectly specular directions and their weights.
     pub fn specular(&self, wo: Vec3) -> Specular {
         match self {
-            Material::Lambert(_) => Specular::default(),
             Material::Mirror(m) => m.specular(wo),
             Material::Glass(m) => m.specular(wo),
+            Material::Mixture(m) => m.specular(wo),
+            Material::Lambert(_) | Material::Glossy(_) | Material::RoughGlass(_) => {
+                Specular::default()
+            }
         }
     }
 
-    /// The share of light that comes back under white light from everywhere.
+    /// The share of light that comes back under white light from everywhere; of rough surfaces, what
+    /// each of their facets sends back, before some of it is lost between them.
     pub fn albedo(&self) -> Rgb {
         match self {
             Material::Lambert(m) => m.albedo,
             Material::Mirror(m) => m.reflectance,
-            Material::Glass(_) => Rgb::WHITE,
+            Material::Glossy(m) => m.reflectance,
+            Material::Mixture(m) => m.k_tot(),
+            Material::Glass(_) | Material::RoughGlass(_) => Rgb::WHITE,
         }
     }
 }

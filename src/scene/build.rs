@@ -1,5 +1,7 @@
 //! From a description to a scene: every value is checked here, and named where it is wrong.
 
+mod materials;
+
 use super::description::{self as said, Description};
 use super::field::{self, Checked, Field, exactly_one};
 use super::placement::Placement;
@@ -8,7 +10,7 @@ use crate::camera::{Camera, Lens};
 use crate::color::Rgb;
 use crate::geometry::{Aabb, Bvh, Mesh, Quad, Shape, Sphere};
 use crate::lights::{DirectionalLight, Light, LightChoice, PointLight, QuadLight, SphereLight};
-use crate::materials::{Glass, Lambert, Material, Mirror};
+use crate::materials::Material;
 use glam::{DVec3, Vec3};
 use std::collections::BTreeMap;
 use std::path::Path;
@@ -39,7 +41,7 @@ pub fn build(said: &Description, folder: Option<&Path>) -> Checked<Scene> {
     let mut parts = Parts {
         origin,
         folder,
-        materials: materials(&top.key("materials"), &said.materials)?,
+        materials: materials::all(&top.key("materials"), &said.materials)?,
         shapes: Vec::new(),
         object_of_shape: Vec::new(),
         objects: Vec::new(),
@@ -126,37 +128,6 @@ fn lens(field: &Field, said: &said::Camera, distance: f64) -> Checked<Option<Len
         radius: radius as f32,
         focus: focus as f32,
     }))
-}
-
-fn materials(
-    field: &Field,
-    said: &BTreeMap<String, said::Material>,
-) -> Checked<BTreeMap<String, Material>> {
-    said.iter()
-        .map(|(name, m)| Ok((name.clone(), material(&field.key(name), m)?)))
-        .collect()
-}
-
-fn material(field: &Field, said: &said::Material) -> Checked<Material> {
-    let lambert = said.lambert.as_ref().map(|l| {
-        let albedo = field::reflectance(&field.key("lambert").key("albedo"), l.albedo)?;
-        Ok(Material::Lambert(Lambert { albedo }))
-    });
-    let mirror = said.mirror.as_ref().map(|m| {
-        let field = field.key("mirror").key("reflectance");
-        let reflectance = field::reflectance(&field, m.reflectance)?;
-        Ok(Material::Mirror(Mirror { reflectance }))
-    });
-    let glass = said.glass.as_ref().map(|g| {
-        let field = field.key("glass").key("ior");
-        if !(0.1..=10.0).contains(&g.ior) {
-            return Err(field.problem(format!("must be between 0.1 and 10, not {}", g.ior)));
-        }
-        let ior = g.ior as f32;
-        Ok(Material::Glass(Glass { ior }))
-    });
-    let kinds = vec![("lambert", lambert), ("mirror", mirror), ("glass", glass)];
-    exactly_one(field, "kind of material", kinds)?
 }
 
 /// A scene while it is put together.

@@ -3,6 +3,10 @@
 //! Lengths are in scene units, angles in degrees, colours linear. Serde derives the reading, and
 //! refuses fields that do not exist; every number is checked later, by [`super::build`].
 
+mod materials;
+
+pub use materials::{Glass, Glossy, Lambert, Material, Mirror, Mixture, RoughGlass};
+
 use serde::de::{self, Deserialize, Deserializer, SeqAccess, Visitor};
 use std::collections::BTreeMap;
 use std::fmt;
@@ -102,42 +106,6 @@ impl Default for Film {
     fn default() -> Self {
         Film { size: [256, 256] }
     }
-}
-
-/// A material: exactly one of its kinds.
-#[derive(Clone, Debug, serde::Deserialize)]
-#[serde(deny_unknown_fields)]
-pub struct Material {
-    /// Ideal diffuse reflection.
-    pub lambert: Option<Lambert>,
-    /// A perfect mirror.
-    pub mirror: Option<Mirror>,
-    /// A smooth transparent medium.
-    pub glass: Option<Glass>,
-}
-
-/// Ideal diffuse reflection.
-#[derive(Clone, Debug, serde::Deserialize)]
-#[serde(deny_unknown_fields)]
-pub struct Lambert {
-    /// Share of light reflected.
-    pub albedo: Color,
-}
-
-/// A perfect mirror.
-#[derive(Clone, Debug, serde::Deserialize)]
-#[serde(deny_unknown_fields)]
-pub struct Mirror {
-    /// Share of light reflected.
-    pub reflectance: Color,
-}
-
-/// A smooth transparent medium.
-#[derive(Clone, Debug, serde::Deserialize)]
-#[serde(deny_unknown_fields)]
-pub struct Glass {
-    /// Index of refraction behind the surface.
-    pub ior: f64,
 }
 
 /// Something with a surface: a material, an emission or both, and exactly one shape.

@@ -22,6 +22,11 @@ pub const GALLERY: &[(&str, &str)] = &[
         include_str!("../../examples/scenes/caustic.toml"),
     ),
     ("mesh", include_str!("../../examples/scenes/mesh.toml")),
+    ("gloss", include_str!("../../examples/scenes/gloss.toml")),
+    (
+        "mixture",
+        include_str!("../../examples/scenes/mixture.toml"),
+    ),
     (
         "whitted",
         include_str!("../../examples/scenes/whitted.toml"),

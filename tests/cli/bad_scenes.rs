@@ -31,6 +31,18 @@ fn numbers_out_of_range() {
 reflectance = 0.9 | reflectance = 1.01 | materials.shiny.mirror.reflectance | 1.01
 ior = 1.5 | ior = 0 | materials.clear.glass.ior | between 0.1 and 10
 ior = 1.5 | ior = nan | materials.clear.glass.ior | between 0.1 and 10
+ior = 1.5 | ior = 11 | materials.clear.glass.ior | between 0.1 and 10, not 11
+mirror = { reflectance = 0.9 } | glossy = { reflectance = 1.1, roughness = 0.2 } | materials.shiny.glossy.reflectance | between 0 and 1
+mirror = { reflectance = 0.9 } | glossy = { reflectance = 0.9, roughness = 0 } | materials.shiny.glossy.roughness | greater than 0 and at most 1, not 0; perfectly smooth surfaces are `mirror` and `glass`
+mirror = { reflectance = 0.9 } | glossy = { reflectance = 0.9, roughness = -0.1 } | materials.shiny.glossy.roughness | not -0.1
+mirror = { reflectance = 0.9 } | glossy = { reflectance = 0.9, roughness = 1.01 } | materials.shiny.glossy.roughness | at most 1, not 1.01
+mirror = { reflectance = 0.9 } | glossy = { reflectance = 0.9,⏎roughness = nan } # <- | materials.shiny.glossy.roughness | not NaN
+glass = { ior = 1.5 } | rough_glass = { ior = 0, roughness = 0.2 } | materials.clear.rough_glass.ior | between 0.1 and 10
+glass = { ior = 1.5 } | rough_glass = { ior = 1.5, roughness = inf } | materials.clear.rough_glass.roughness | not inf
+lambert = { albedo = [0.5, 0.4, 0.3] } | mixture = { kd = 0.7, ks = [0.1, 0.7, 0.1], kt = 0 } | materials.dull.mixture | kd + ks + kt at most 1 in each channel, or it would make light, but in green they add up to 1.4
+lambert = { albedo = [0.5, 0.4, 0.3] } | mixture = { kd = 0.5, ks = 0.3, kt = -0.1 } | materials.dull.mixture.kt | between 0 and 1
+lambert = { albedo = [0.5, 0.4, 0.3] } | mixture = { kd = nan, ks = 0.3, kt = 0.1 } | materials.dull.mixture.kd | red is NaN
+lambert = { albedo = [0.5, 0.4, 0.3] } | mixture = { kd = 0, ks = 0, kt = 1, ior = -1.5 } | materials.dull.mixture.ior | between 0.1 and 10
 background = 0.5 | background = [0, 0, -1] | background | 0 or more
 background = 0.5 | background = 1e39 | background | 0 or more
 radius = 0.5 | radius = -1 | objects[1].sphere.radius | greater than 0, not -1
@@ -127,6 +139,9 @@ lambert = | lambret = | materials.dull.lambret | `lambert`, `mirror`, `glass`
 albedo = | color = | materials.dull.lambert.color | allowed: `albedo`
 reflectance = | r = | materials.shiny.mirror.r | allowed: `reflectance`
 ior = | n = | materials.clear.glass.n | allowed: `ior`
+mirror = { reflectance = 0.9 } | glossy = { reflectance = 0.9 } | materials.shiny.glossy.roughness | is missing
+mirror = { reflectance = 0.9 } | mixture = { kd = 1 } | materials.shiny.mixture.ks | is missing
+mirror = { reflectance = 0.9 } | glossy = { reflectance = 0.9, alpha = 1 } | materials.shiny.glossy.alpha | allowed: `reflectance` or `roughness`
 point = | spot = | lights[0].spot | allowed: `point` or `directional`
 intensity = | power = | lights[0].point.power | `position` or `intensity`
 irradiance = | power = | lights[1].directional.power | `irradiance`

@@ -1,0 +1,285 @@
+//! What surfaces do with light: samples against densities, energy against quadrature, and materials
+//! that are wrong.
+
+mod furnace;
+mod limits;
+mod mixture;
+
+use glam::{DVec3, Vec3};
+use halfdisk::color::Rgb;
+use halfdisk::materials::{Glossy, Lambert, Material, Mixture, RoughGlass};
+use halfdisk::sampling::stream::{Purpose, Stream};
+use halfdisk::stats::chi_square::chi_square;
+use halfdisk::stats::z_test::sidak;
+use std::f64::consts::TAU;
+
+/// Beyond so many standard errors an estimate is wrong.
+const CRITICAL: f64 = 4.4;
+/// The probability that any of the chi-square tests rejects a right pair.
+const SIGNIFICANCE: f64 = 1e-3;
+/// How many there are: 37 pairs at two resolutions each.
+const TESTS: u32 = 74;
+/// Cells of the fine grid, half of the rows above the surface; the coarse one joins 5 x 5.
+const ROWS: usize = 20;
+const COLUMNS: usize = 40;
+
+/// The `index`-th direction with its uniforms.
+fn numbers(index: u32) -> (f32, [f32; 2]) {
+    let stream = Stream::new(5, index, 0);
+    let choice = stream.at(0, Purpose::Branch).one();
+    (choice, stream.at(0, Purpose::Direction).two())
+}
+
+/// A unit direction with this cosine, away from the axes.
+fn direction(cos: f32) -> Vec3 {
+    let sin = (1.0 - f64::from(cos).powi(2)).sqrt();
+    DVec3::new(sin * 0.8, sin * 0.6, f64::from(cos)).as_vec3()
+}
+
+/// The direction at a point of the square `[-1, 1] x [0, 1]`: `a⁴` is `1 - |z|`, which keeps cells
+/// around the poles small, and the measure smooth there.
+fn at(a: f64, b: f64) -> Vec3 {
+    let down = 1.0 - a.powi(4);
+    let (sin, cos) = libm::sincos(TAU * b);
+    let r = a * a * (1.0 + down).sqrt();
+    DVec3::new(r * cos, r * sin, down.copysign(a)).as_vec3()
+}
+
+/// The cell of a direction.
+fn cell(w: Vec3) -> usize {
+    let w = w.as_dvec3();
+    let r2 = w.x * w.x + w.y * w.y;
+    let a = (r2 / (1.0 + w.z.abs()))
+        .sqrt()
+        .sqrt()
+        .min(1.0 - 1e-12)
+        .copysign(w.z);
+    let turn = libm::atan2(w.y, w.x) / TAU;
+    let turn = if turn < 0.0 { turn + 1.0 } else { turn }.min(1.0 - 1e-12);
+    let row = (0.5 * (a + 1.0) * ROWS as f64) as usize;
+    row * COLUMNS + (turn * COLUMNS as f64) as usize
+}
+
+/// The integral of `f` over the directions of each cell, from a point of each of its strata: `f`
+/// jumps where facets turn upside down, and midpoints all fall on one side of such an edge.
+fn integrals(f: impl Fn(Vec3) -> f64) -> Vec<f64> {
+    const STEPS: usize = 48;
+    let (height, width) = (2.0 / ROWS as f64, 1.0 / COLUMNS as f64);
+    let part = |k: usize, u: f32| (k as f64 + f64::from(u)) / STEPS as f64;
+    let integral = |i: usize| {
+        let (row, column) = ((i / COLUMNS) as f64, (i % COLUMNS) as f64);
+        let mut sum = 0.0;
+        for j in 0..STEPS * STEPS {
+            let stream = Stream::new(6, (i * STEPS * STEPS + j) as u32, 0);
+            let [u, v] = stream.at(0, Purpose::Integrand).two();
+            let a = (row + part(j / STEPS, u)) * height - 1.0;
+            let b = (column + part(j % STEPS, v)) * width;
+            // dω = 4 |a|³ da dφ
+            sum += f(at(a, b)) * 4.0 * a.abs().powi(3) * TAU;
+        }
+        sum * height * width / (STEPS * STEPS) as f64
+    };
+    (0..ROWS * COLUMNS).map(integral).collect()
+}
+
+/// Cells joined 5 x 5; what stands behind them stays.
+fn coarse<T: Copy + std::iter::Sum>(cells: &[T]) -> Vec<T> {
+    let (fine, rest) = cells.split_at(ROWS * COLUMNS);
+    let of = |k: usize| {
+        (0..fine.len())
+            .filter(move |i| i / COLUMNS / 5 * (COLUMNS / 5) + i % COLUMNS / 5 == k)
+            .map(|i| fine[i])
+            .sum()
+    };
+    let joined = (0..fine.len() / 25).map(of);
+    joined.chain(rest.iter().copied()).collect()
+}
+
+/// Why samples do not follow a density, if they do not. Those that are `None` have a cell of their
+/// own, which expects what the density leaves.
+fn fault(sample: impl Fn(u32) -> Option<Vec3>, pdf: impl Fn(Vec3) -> f64) -> Option<String> {
+    const SAMPLES: u32 = 1_000_000;
+    let mut expected = integrals(pdf);
+    let total: f64 = expected.iter().sum();
+    if total > 1.0 + 2e-4 {
+        return Some(format!("integrates to {total}"));
+    }
+    expected.push((1.0 - total).max(0.0));
+    let mut counts = vec![0_u64; expected.len()];
+    for index in 0..SAMPLES {
+        let at = sample(index).map_or(ROWS * COLUMNS, cell);
+        counts[at] += 1;
+    }
+    let share = 1.0 - counts[ROWS * COLUMNS] as f64 / f64::from(SAMPLES);
+    let error = (share * (1.0 - share) / f64::from(SAMPLES)).sqrt();
+    if (share - total).abs() > CRITICAL * error + 2e-4 {
+        return Some(format!("integrates to {total}, but {share} were drawn"));
+    }
+    // Where the density fills everything up to the error of the integral, none may be missing.
+    if error == 0.0 {
+        expected[ROWS * COLUMNS] = 0.0;
+    }
+    expected.iter_mut().for_each(|e| *e *= f64::from(SAMPLES));
+    for (counts, expected) in [
+        (counts.clone(), expected.clone()),
+        (coarse(&counts), coarse(&expected)),
+    ] {
+        let test = chi_square(&counts, &expected);
+        if test.p < sidak(SIGNIFICANCE, TESTS) {
+            return Some(format!("chi2 {:.1}, p {:e}", test.statistic, test.p));
+        }
+    }
+    None
+}
+
+fn glossy(alpha: f32) -> Material {
+    let reflectance = Rgb::WHITE;
+    Material::Glossy(Glossy { reflectance, alpha })
+}
+
+fn rough_glass(ior: f32, alpha: f32) -> Material {
+    Material::RoughGlass(RoughGlass { ior, alpha })
+}
+
+fn drawn(material: &Material, wo: Vec3, index: u32) -> Option<Vec3> {
+    let (choice, u) = numbers(index);
+    let next = material.scatter(wo, choice, u)?;
+    next.pdf.map(|_| next.wi)
+}
+
+#[test]
+fn samples_follow_their_densities() {
+    let mut pairs = 0;
+    let mut check = |name: &str, material: Material, cos: f32| {
+        let wo = direction(cos);
+        pairs += 1;
+        let pdf = |wi| f64::from(material.pdf(wo, wi));
+        let fault = fault(|i| drawn(&material, wo, i), pdf);
+        assert_eq!(fault, None, "{name}, cos {cos}");
+    };
+    for alpha in [0.1, 0.3, 1.0] {
+        for cos in [1.0, 0.7, 0.2, -0.5] {
+            check(&format!("glossy {alpha}"), glossy(alpha), cos);
+        }
+        for cos in [1.0, 0.7, 0.2, -1.0, -0.8, -0.3] {
+            check(
+                &format!("rough glass {alpha}"),
+                rough_glass(1.5, alpha),
+                cos,
+            );
+        }
+    }
+    for cos in [0.6, -0.6] {
+        check("thin", rough_glass(0.6, 0.3), cos);
+    }
+    let albedo = Rgb::grey(0.5);
+    check("lambert", Material::Lambert(Lambert { albedo }), 0.4);
+    for (kd, cos) in [(0.5, 0.4), (0.9, -0.4)] {
+        let [kd, ks, kt] = [kd, 0.06, 0.02].map(Rgb::grey);
+        let ior = 1.5;
+        check(
+            "mixture",
+            Material::Mixture(Mixture { kd, ks, kt, ior }),
+            cos,
+        );
+    }
+    assert!(2 * pairs <= TESTS, "{pairs} pairs");
+}
+
+#[test]
+fn wrong_densities_are_rejected() {
+    let wo = direction(0.7);
+    let half = |wi: Vec3| (wo + wi).normalize();
+    for alpha in [0.1, 0.3, 1.0] {
+        let material = glossy(alpha);
+        let right = |wi| f64::from(material.pdf(wo, wi));
+        let reject = |what: &str, pdf: &dyn Fn(Vec3) -> f64| {
+            let fault = fault(|i| drawn(&material, wo, i), pdf);
+            println!("{what}, {alpha}: {fault:?}");
+            assert!(fault.is_some(), "{what}, {alpha}");
+        };
+        reject("7 % too much", &|wi| 1.07 * right(wi));
+        reject("7 % too little", &|wi| right(wi) / 1.07);
+        reject("no Jacobian", &|wi| {
+            right(wi) * 4.0 * f64::from(wo.dot(half(wi)))
+        });
+        reject("D without π", &|wi| right(wi) * TAU / 2.0);
+        reject("all normals", &|wi| {
+            // As if facets were drawn by D cos instead of the visible ones.
+            let Material::Glossy(g) = material else {
+                return 0.0;
+            };
+            let ggx = halfdisk::materials::ggx::Ggx {
+                alpha: f64::from(g.alpha),
+            };
+            let h = half(wi).as_dvec3();
+            let above = f64::from(u8::from(wi.z > 0.0));
+            above * ggx.d(h) * h.z / (4.0 * wo.as_dvec3().dot(h))
+        });
+
+        let glass = rough_glass(1.5, alpha);
+        let below = |factor: f64| {
+            fault(
+                |i| drawn(&glass, wo, i),
+                |wi| f64::from(glass.pdf(wo, wi)) * if wi.z < 0.0 { factor } else { 1.0 },
+            )
+        };
+        assert!(below(1.0 / 2.25).is_some(), "η² forgotten");
+        assert!(below(0.93).is_some(), "7 % below");
+    }
+}
+
+#[test]
+fn what_scatter_says_is_what_f_and_pdf_say() {
+    let mut materials = vec![
+        rough_glass(0.6, 0.2),
+        Material::Lambert(Lambert {
+            albedo: Rgb::grey(0.7),
+        }),
+        Material::Mixture(Mixture {
+            kd: Rgb::new(0.5, 0.1, 0.0),
+            ks: Rgb::grey(0.2),
+            kt: Rgb::new(0.0, 0.3, 0.3),
+            ior: 1.5,
+        }),
+    ];
+    for alpha in [0.1, 0.3, 1.0] {
+        materials.extend([glossy(alpha), rough_glass(1.5, alpha)]);
+    }
+    for material in materials {
+        for cos in [1.0, 0.7, 0.1, -0.1, -0.9] {
+            let wo = direction(cos);
+            for index in 0..2000 {
+                let (choice, u) = numbers(index);
+                let Some(next) = material.scatter(wo, choice, u) else {
+                    continue;
+                };
+                let Some(pdf) = next.pdf else { continue };
+                let again = material.pdf(wo, next.wi);
+                assert!((pdf - again).abs() <= 1e-4 * pdf, "{pdf} {again}");
+                let spelt_out = material.f(wo, next.wi) * next.wi.z.abs() / pdf;
+                let off = spelt_out - next.weight;
+                let near = off.channels().iter().all(|x| x.abs() < 1e-4);
+                assert!(near, "{material:?} {wo} {next:?}: {spelt_out:?}");
+            }
+        }
+    }
+}
+
+#[test]
+fn f_is_reciprocal() {
+    for alpha in [0.1, 0.3, 1.0] {
+        for (a, b) in (0..2000).map(|i| (numbers(i).1, numbers(i + 5000).1)) {
+            let [a, b] = [a, b].map(halfdisk::sampling::warps::sample_sphere);
+            let (there, back) = (glossy(alpha).f(a, b).r, glossy(alpha).f(b, a).r);
+            assert!((there - back).abs() <= 1e-5 * there, "{there} {back}");
+            let glass = rough_glass(1.5, alpha);
+            let n2 = |w: Vec3| if w.z > 0.0 { 1.0 } else { 2.25 };
+            let (there, back) = (glass.f(a, b).r / n2(b), glass.f(b, a).r / n2(a));
+            assert!(
+                (there - back).abs() <= 1e-3 * there + 1e-5,
+                "{a} {b} {there} {back}"
+            );
+        }
+    }
+}
