@@ -20,6 +20,8 @@
 //! | A20 ends of uniforms | `warps::a20_*` | lowest cosine 2.4e-4, unit to 7.8e-8 | |
 //! | A20 ends of uniforms | `twins::a20_*` | unit to 1.2e-7, inverse to 1.8e-7 | |
 //! | A22 rim of the half disk | `twins::a22_*` | sine off by 8.9e-8 of itself, never negative | -4.4e-8 at the rim |
+//! | A35 almost smooth, grazing | `limits::a35_*` | all finite, down to a cosine of 1e-20 | |
+//! | A36 rough white furnace | `furnace::a36_*` | 40 readings within 4.4 errors | one that reads 1 |
 
 mod draw;
 mod geometry;
