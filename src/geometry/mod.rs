@@ -7,6 +7,7 @@
 mod aabb;
 mod bvh;
 mod mesh;
+mod moving;
 mod quad;
 mod ray;
 mod sphere;
@@ -14,13 +15,16 @@ mod surface;
 mod triangle;
 
 pub use aabb::Aabb;
-pub use bvh::{Bvh, Found, brute_force};
+pub use bvh::{Bvh, Found, brute_force, brute_force_at};
 pub use mesh::{Mesh, TriangleCount};
+pub use moving::Moving;
 pub use quad::Quad;
 pub use ray::{PreparedRay, Ray};
 pub use sphere::Sphere;
 pub use surface::Surface;
 pub use triangle::Triangle;
+
+use glam::Vec3;
 
 /// Where a ray crosses a shape: how far along, and where on the shape.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -63,12 +67,61 @@ impl Shape {
         }
     }
 
+    /// The shape moved by a vector, each of its points rounded once.
+    #[must_use]
+    pub fn moved(&self, by: Vec3) -> Shape {
+        match self {
+            Shape::Sphere(s) => Shape::Sphere(Sphere {
+                center: s.center + by,
+                ..*s
+            }),
+            Shape::Quad(q) => Shape::Quad(q.moved(by)),
+            Shape::Triangle(t) => Shape::Triangle(Triangle {
+                a: t.a + by,
+                b: t.b + by,
+                c: t.c + by,
+            }),
+        }
+    }
+
     /// The smallest axis-aligned box that holds the shape.
     pub fn bounds(&self) -> Aabb {
         match self {
             Shape::Sphere(s) => s.bounds(),
             Shape::Quad(q) => q.bounds(),
             Shape::Triangle(t) => t.bounds(),
+        }
+    }
+}
+
+/// What a [`Bvh`] can hold: a shape, or one that moves.
+pub trait Primitive: Copy {
+    /// A box that holds it at all times.
+    fn bounds(&self) -> Aabb;
+
+    /// The first crossing with `0 < t <= t_max` at `time`, in `[0, 1]`; never nearer than the box.
+    fn cross_at(&self, ray: &PreparedRay, time: f32, t_max: f32) -> Option<Crossing>;
+
+    /// The triangle it is at all times; of these the tree looks at eight at once.
+    fn still_triangle(&self) -> Option<Triangle> {
+        None
+    }
+}
+
+impl Primitive for Shape {
+    fn bounds(&self) -> Aabb {
+        Shape::bounds(self)
+    }
+
+    #[inline(always)]
+    fn cross_at(&self, ray: &PreparedRay, _: f32, t_max: f32) -> Option<Crossing> {
+        self.cross(ray, t_max)
+    }
+
+    fn still_triangle(&self) -> Option<Triangle> {
+        match self {
+            Shape::Triangle(triangle) => Some(*triangle),
+            _ => None,
         }
     }
 }

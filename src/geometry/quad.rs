@@ -23,6 +23,10 @@ impl Quad {
     /// area there.
     pub fn new(corner: DVec3, u: DVec3, v: DVec3) -> Option<Self> {
         let corners = [corner, corner + u, corner + u + v, corner + v].map(DVec3::as_vec3);
+        Quad::of_corners(corners)
+    }
+
+    fn of_corners(corners: [Vec3; 4]) -> Option<Self> {
         let cross = cross_product(corners);
         let length = cross.length();
         let area = (0.5 * length) as f32;
@@ -32,6 +36,27 @@ impl Quad {
             normal: (cross / length).as_vec3(),
             area,
         })
+    }
+
+    /// The quad moved by a vector, each corner rounded once more.
+    ///
+    /// So far away that the corners fall on a line, it has no plane and cannot be hit.
+    #[must_use]
+    pub fn moved(&self, by: Vec3) -> Quad {
+        let corners = self.corners.map(|corner| corner + by);
+        Quad::of_corners(corners).unwrap_or(Quad { corners, ..*self })
+    }
+
+    /// How far the corners may be from a common plane after they were moved, where those of the
+    /// quad before were rounded once: a rounding of each.
+    pub(super) fn bend(&self, moved: &Quad) -> Vec3 {
+        (self.size() + moved.size()) * gamma(2)
+    }
+
+    /// The largest coordinates of the corners, without signs.
+    fn size(&self) -> Vec3 {
+        let [a, b, c, d] = self.corners.map(Vec3::abs);
+        a.max(b).max(c).max(d)
     }
 
     /// Unit normal.
@@ -54,14 +79,14 @@ impl Quad {
     /// one loop triangles take half as long again.
     #[inline(never)]
     pub fn cross(&self, ray: &PreparedRay, t_max: f32) -> Option<Crossing> {
-        let [a, b, c, d] = self.corners.map(|v| Sheared::new(v, ray));
+        let seen = |i: usize| Sheared::new(&self.corners[i], ray);
+        let (a, b, c, d) = (seen(0), seen(1), seen(2), seen(3));
         let (u, v) = match weights([a, b, c]) {
             // a + u (b - a) + v (c - a), where c - a is the sum of the two edges.
             Some([u, v]) => (u + v, v),
             None => weights([a, c, d]).map(|[u, v]| (u, u + v))?,
         };
-        let middle = self.corners.map(Vec3::as_dvec3).into_iter().sum::<DVec3>() * 0.25;
-        let plane = (middle, cross_product(self.corners));
+        let plane = (middle(self.corners), cross_product(self.corners));
         let t = distance(ray, t_max, plane, self.bounds())?;
         Some(Crossing { t, u, v })
     }
@@ -81,11 +106,10 @@ impl Quad {
             c * (s * t),
             d * ((1.0 - s) * t),
         ];
-        let size = a.abs().max(b.abs()).max(c.abs()).max(d.abs());
         Surface {
             p: parts.into_iter().sum(),
             // Seven roundings in the sum, one for the corners that are not quite in the plane.
-            error: size * gamma(8),
+            error: self.size() * gamma(8),
             n: self.normal,
         }
     }
@@ -98,6 +122,11 @@ impl Quad {
 
 /// Twice the area times the normal, as the product of the diagonals.
 fn cross_product(corners: [Vec3; 4]) -> DVec3 {
-    let [a, b, c, d] = corners.map(Vec3::as_dvec3);
-    (c - a).cross(d - b)
+    let [a, b, c, d] = corners;
+    (c.as_dvec3() - a.as_dvec3()).cross(d.as_dvec3() - b.as_dvec3())
+}
+
+fn middle(corners: [Vec3; 4]) -> DVec3 {
+    let [a, b, c, d] = corners;
+    (a.as_dvec3() + b.as_dvec3() + c.as_dvec3() + d.as_dvec3()) * 0.25
 }

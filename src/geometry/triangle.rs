@@ -42,8 +42,8 @@ impl Triangle {
     /// The first crossing with `0 < t <= t_max`.
     #[inline]
     pub fn cross(&self, ray: &PreparedRay, t_max: f32) -> Option<Crossing> {
-        let corners = [self.a, self.b, self.c].map(|v| Sheared::new(v, ray));
-        let [u, v] = weights(corners)?;
+        let seen = |v: &Vec3| Sheared::new(v, ray);
+        let [u, v] = weights([seen(&self.a), seen(&self.b), seen(&self.c)])?;
         let plane = (self.a.as_dvec3(), self.cross_product());
         let t = distance(ray, t_max, plane, self.bounds())?;
         Some(Crossing { t, u, v })
@@ -75,12 +75,14 @@ pub(super) struct Sheared {
 
 impl Sheared {
     #[inline]
-    pub(super) fn new(corner: Vec3, ray: &PreparedRay) -> Self {
-        let v = (corner - ray.origin).to_array();
+    pub(super) fn new(corner: &Vec3, ray: &PreparedRay) -> Self {
+        // Each coordinate straight from memory, without a detour for the order of the axes.
+        let (corner, origin): (&[f32; 3], &[f32; 3]) = (corner.as_ref(), ray.origin.as_ref());
         let [x, y, z] = ray.axes;
+        let height = corner[z] - origin[z];
         Sheared {
-            x: v[x] - ray.shear[0] * v[z],
-            y: v[y] - ray.shear[1] * v[z],
+            x: corner[x] - origin[x] - ray.shear[0] * height,
+            y: corner[y] - origin[y] - ray.shear[1] * height,
         }
     }
 }

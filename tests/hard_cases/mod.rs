@@ -15,6 +15,7 @@
 //! | A6 degenerate triangles | `geometry::a06_*` | 0 of 10⁵ hit, normals unit to 4.2e-8 | 10 829 hit |
 //! | A8 boxes | `watertight::a08_*` | 0 lost, entry / t at most 1 | 192 of 216 in faces, 16 % at corners |
 //! | A9 hierarchies | `hierarchy::a09_*` | all bits as the plain loop | |
+//! | A4, A9 shapes in motion | `moving::*` | all bits as the loop, 0 rays come back | |
 //! | A12 ties | `hierarchy::a12_*` | always the lowest id | |
 //! | A16 invalid rays | `geometry::a16_*` | 0 of 10⁴ hit | |
 //! | A20 ends of uniforms | `warps::a20_*` | lowest cosine 2.4e-4, unit to 7.8e-8 | |
@@ -27,5 +28,6 @@ mod draw;
 mod geometry;
 mod hierarchy;
 mod leaving;
+mod moving;
 mod naive;
 mod watertight;

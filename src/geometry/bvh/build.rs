@@ -2,13 +2,13 @@
 
 use super::node::{Child, Node, WIDTH};
 use super::packet::Packet;
-use crate::geometry::{Aabb, Shape, Triangle};
+use crate::geometry::{Aabb, Primitive, Triangle};
 use std::ops::Range;
 
 /// Slices of the centroid range in which the surface area heuristic looks for a split.
 const BINS: usize = 16;
-/// Nodes on the longest way down: enough for 2⁴⁸ shapes even if all are in one place.
-pub(super) const MAX_DEPTH: usize = 16;
+/// Nodes on the longest way down: enough for 2³⁶ shapes even if all are in one place.
+pub(super) const MAX_DEPTH: usize = 12;
 
 /// A shape while the tree is built.
 #[derive(Clone, Copy)]
@@ -19,16 +19,16 @@ struct Item {
 }
 
 /// A tree that grows.
-pub(super) struct Growing<'a> {
-    shapes: &'a [Shape],
+pub(super) struct Growing<'a, P> {
+    shapes: &'a [P],
     items: Vec<Item>,
     pub(super) nodes: Vec<Node>,
     pub(super) packets: Vec<Packet>,
 }
 
 /// The tree over these shapes.
-pub(super) fn build(shapes: &[Shape]) -> Growing<'_> {
-    let item = |(id, shape): (usize, &Shape)| {
+pub(super) fn build<P: Primitive>(shapes: &[P]) -> Growing<'_, P> {
+    let item = |(id, shape): (usize, &P)| {
         let bounds = shape.bounds();
         Item {
             bounds,
@@ -70,7 +70,7 @@ impl Group {
     }
 }
 
-impl Growing<'_> {
+impl<P: Primitive> Growing<'_, P> {
     /// The ids of the shapes in the order of the tree.
     pub(super) fn ids(&self) -> Vec<u32> {
         self.items.iter().map(|item| item.id).collect()
@@ -79,8 +79,9 @@ impl Growing<'_> {
     /// Adds the subtree over a range of the items, at most `depth` nodes deep, and says where.
     fn add_node(&mut self, range: Range<usize>, depth: usize) -> usize {
         let at = self.nodes.len();
-        self.nodes.push(Node::EMPTY);
-        for (lane, group) in self.children(range, depth).into_iter().enumerate() {
+        self.nodes.push(Node::new(&[]));
+        let mut children = Vec::with_capacity(WIDTH);
+        for group in self.children(range, depth) {
             let child = if group.range.len() == 1 {
                 Child::Shape(group.range.start)
             } else if let Some(packet) = self.packet(&group.range) {
@@ -89,20 +90,21 @@ impl Growing<'_> {
             } else {
                 Child::Node(self.add_node(group.range, depth - 1))
             };
-            self.nodes[at].set(lane, &group.bounds, child);
+            children.push((group.bounds, child));
         }
+        self.nodes[at] = Node::new(&children);
         at
     }
 
     /// The packet of a few items that are all triangles.
     fn packet(&self, range: &Range<usize>) -> Option<Packet> {
-        let few = range.len() <= WIDTH;
-        let triangle = |item: &Item| match &self.shapes[item.id as usize] {
-            Shape::Triangle(triangle) => Some(*triangle),
-            _ => None,
-        };
-        let found = few.then(|| self.items[range.clone()].iter().map(triangle))?;
-        let triangles: Option<Vec<Triangle>> = found.collect();
+        if range.len() > WIDTH {
+            return None;
+        }
+        let items = self.items[range.clone()].iter();
+        let triangles: Option<Vec<Triangle>> = items
+            .map(|item| self.shapes[item.id as usize].still_triangle())
+            .collect();
         Some(Packet::new(range.start, &triangles?))
     }
 

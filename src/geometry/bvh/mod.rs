@@ -4,9 +4,9 @@ mod build;
 mod node;
 mod packet;
 
-use super::{Crossing, PreparedRay, Ray, Shape};
+use super::{Crossing, Moving, PreparedRay, Primitive, Ray, Shape};
 use build::{MAX_DEPTH, build};
-use node::{Child, Link, Node, WIDTH};
+use node::{Child, Link, Node, RayLanes, WIDTH};
 use packet::Packet;
 
 /// Every node on the way down leaves at most all its children but one waiting.
@@ -19,26 +19,28 @@ const STACK_SIZE: usize = MAX_DEPTH * (WIDTH - 1) + 1;
 /// instructions (Wald, Benthin, Boulos, Getting Rid of Packets, Symposium on Interactive Ray
 /// Tracing 2008). Every shape has a box of its own in some node, so that few are tested which the
 /// ray does not cross. Shapes whose box is not finite cannot be hit and are left out.
-#[derive(Clone, Debug, Default)]
-pub struct Bvh {
+///
+/// A tree over [`Moving`] shapes is asked at a time, and is the same code.
+#[derive(Clone, Debug)]
+pub struct Bvh<P = Shape> {
     /// The root first; empty for no shapes.
     nodes: Vec<Node>,
     packets: Vec<Packet>,
     /// In the order of the tree.
-    shapes: Vec<Shape>,
+    shapes: Vec<P>,
     /// For each of `shapes`, its index in the list the tree was built from.
     ids: Vec<u32>,
 }
 
 /// What a ray meets first.
 #[derive(Clone, Copy, Debug)]
-pub struct Found<'a> {
+pub struct Found<'a, P = Shape> {
     /// Where.
     pub crossing: Crossing,
     /// The index of the shape in the list the tree was built from.
     pub id: u32,
     /// The shape.
-    pub shape: &'a Shape,
+    pub shape: &'a P,
 }
 
 /// What waits to be visited, with the distance of its box in the upper half: the order of these
@@ -64,8 +66,34 @@ impl Waiting {
 }
 
 impl Bvh {
+    /// The first crossing of the ray; of several shapes at the same distance the one with the
+    /// lowest id, whatever the order of the tree.
+    pub fn first(&self, ray: &Ray) -> Option<Found<'_>> {
+        self.first_at(ray, 0.0)
+    }
+
+    /// True where the ray crosses anything at all.
+    pub fn any(&self, ray: &Ray) -> bool {
+        self.any_at(ray, 0.0)
+    }
+}
+
+impl Bvh<Moving> {
+    /// The first crossing of the ray with the shapes where they are at `time`, in `[0, 1]`; of
+    /// several at the same distance the one with the lowest id.
+    pub fn first(&self, ray: &Ray, time: f32) -> Option<Found<'_, Moving>> {
+        self.first_at(ray, time)
+    }
+
+    /// True where the ray crosses anything at all at `time`, in `[0, 1]`.
+    pub fn any(&self, ray: &Ray, time: f32) -> bool {
+        self.any_at(ray, time)
+    }
+}
+
+impl<P: Primitive> Bvh<P> {
     /// The tree over `shapes`; the index of each in this list is its id.
-    pub fn new(shapes: &[Shape]) -> Self {
+    pub fn new(shapes: &[P]) -> Self {
         let tree = build(shapes);
         let ids = tree.ids();
         Bvh {
@@ -76,11 +104,10 @@ impl Bvh {
         }
     }
 
-    /// The first crossing of the ray; of several shapes at the same distance the one with the
-    /// lowest id, whatever the order of the tree.
-    pub fn first(&self, ray: &Ray) -> Option<Found<'_>> {
+    #[inline(always)]
+    fn first_at(&self, ray: &Ray, time: f32) -> Option<Found<'_, P>> {
         let mut best: Option<(Crossing, usize)> = None;
-        self.visit::<true>(ray, |at, crossing| {
+        self.visit(ray, time, |at, crossing| {
             if best.is_none_or(|(b, i)| crossing.t < b.t || self.ids[at] < self.ids[i]) {
                 best = Some((crossing, at));
             }
@@ -93,28 +120,25 @@ impl Bvh {
         })
     }
 
-    /// True where the ray crosses anything at all.
-    pub fn any(&self, ray: &Ray) -> bool {
+    #[inline(always)]
+    fn any_at(&self, ray: &Ray, time: f32) -> bool {
         let mut hit = false;
-        self.visit::<false>(ray, |_, _| {
+        self.visit(ray, time, |_, _| {
             hit = true;
             true
         });
         hit
     }
 
-    /// Calls `meet` with every crossing that may be the first, and the place of its shape, until it
-    /// answers true; nearest boxes first where that is asked for.
+    /// Calls `meet` with every crossing that may be the first, and the place of its shape, nearest
+    /// boxes first, until it answers true.
     #[inline(always)]
-    fn visit<const NEAREST_FIRST: bool>(
-        &self,
-        ray: &Ray,
-        mut meet: impl FnMut(usize, Crossing) -> bool,
-    ) {
+    fn visit(&self, ray: &Ray, time: f32, mut meet: impl FnMut(usize, Crossing) -> bool) {
         if self.nodes.is_empty() || !ray.is_valid() {
             return;
         }
         let prepared = PreparedRay::from(ray);
+        let lanes_of_ray = RayLanes::from(&prepared);
         let mut t_max = ray.reach();
         let mut stack = [Waiting::default(); STACK_SIZE];
         let mut height = 0;
@@ -123,7 +147,7 @@ impl Bvh {
             if next.entry() <= t_max {
                 match next.link().child() {
                     Child::Shape(at) => {
-                        if let Some(crossing) = self.shapes[at].cross(&prepared, t_max) {
+                        if let Some(crossing) = self.shapes[at].cross_at(&prepared, time, t_max) {
                             t_max = crossing.t;
                             if meet(at, crossing) {
                                 return;
@@ -143,12 +167,12 @@ impl Bvh {
                     }
                     Child::Node(at) => {
                         let node = &self.nodes[at];
-                        let (entries, met) = node.entries(&prepared, t_max);
+                        let (entries, met) = node.entries(&lanes_of_ray, t_max);
                         let base = height;
                         for lane in lanes(met) {
                             let child = Waiting::new(entries[lane], node.links[lane]);
                             let mut at = height;
-                            while NEAREST_FIRST && at > base && stack[at - 1] < child {
+                            while at > base && stack[at - 1] < child {
                                 stack[at] = stack[at - 1];
                                 at -= 1;
                             }
@@ -180,13 +204,18 @@ fn lanes(mut mask: u32) -> impl Iterator<Item = usize> {
 
 /// The tree's answer without the tree: every shape is tested. Slow, plain, the yardstick.
 pub fn brute_force(shapes: &[Shape], ray: &Ray) -> Option<(Crossing, u32)> {
+    brute_force_at(shapes, ray, 0.0)
+}
+
+/// The same for shapes where they are at `time`, in `[0, 1]`.
+pub fn brute_force_at<P: Primitive>(shapes: &[P], ray: &Ray, time: f32) -> Option<(Crossing, u32)> {
     if !ray.is_valid() {
         return None;
     }
     let prepared = PreparedRay::from(ray);
     let mut best: Option<(Crossing, u32)> = None;
     for (id, shape) in shapes.iter().enumerate() {
-        if let Some(crossing) = shape.cross(&prepared, ray.reach())
+        if let Some(crossing) = shape.cross_at(&prepared, time, ray.reach())
             && best.is_none_or(|(b, _)| crossing.t < b.t)
         {
             best = Some((crossing, id as u32));

@@ -2,14 +2,14 @@
 
 use super::node::WIDTH;
 use crate::geometry::{PreparedRay, Triangle};
-use crate::numeric::gamma;
 use glam::Vec3;
+use wide::f32x8;
 
 /// Up to eight triangles that follow each other in the order of the tree.
 #[derive(Clone, Debug)]
 pub(super) struct Packet {
     /// The three corners, for each the three coordinates, for each the triangles.
-    corners: [[[f32; WIDTH]; 3]; 3],
+    corners: [[f32x8; 3]; 3],
     /// The place of the first triangle in the order of the tree.
     pub(super) first: u32,
     /// A bit for each triangle.
@@ -18,77 +18,122 @@ pub(super) struct Packet {
 
 impl Packet {
     pub(super) fn new(first: usize, triangles: &[Triangle]) -> Self {
-        let mut packet = Packet {
-            corners: [[[0.0; WIDTH]; 3]; 3],
-            first: first as u32,
-            present: 0,
+        // Lanes without a triangle have corners, which nobody looks at.
+        let lane = |i: usize| {
+            triangles
+                .get(i)
+                .map_or([Vec3::ZERO; 3], |t| [t.a, t.b, t.c])
         };
-        for (lane, t) in triangles.iter().enumerate() {
-            for (corner, of) in [t.a, t.b, t.c].into_iter().zip(&mut packet.corners) {
-                for (x, lanes) in corner.to_array().into_iter().zip(of) {
-                    lanes[lane] = x;
-                }
-            }
-            packet.present |= 1 << lane;
+        let all: [[Vec3; 3]; WIDTH] = std::array::from_fn(lane);
+        let lanes = |corner: usize, axis: usize| f32x8::new(all.map(|t| t[corner][axis]));
+        Packet {
+            corners: [0, 1, 2].map(|corner| [0, 1, 2].map(|axis| lanes(corner, axis))),
+            first: first as u32,
+            present: (1 << triangles.len()) - 1,
         }
-        packet
     }
 
     /// One of the triangles.
     #[inline(always)]
     pub(super) fn triangle(&self, lane: usize) -> Triangle {
-        let [a, b, c] = self
-            .corners
-            .each_ref()
-            .map(|[x, y, z]| Vec3::new(x[lane], y[lane], z[lane]));
+        let corner = |of: &[f32x8; 3]| {
+            let at = |axis: usize| of[axis].as_array()[lane];
+            Vec3::new(at(0), at(1), at(2))
+        };
+        let [a, b, c] = &self.corners;
+        let (a, b, c) = (corner(a), corner(b), corner(c));
         Triangle { a, b, c }
     }
 
     /// A mask of the triangles that the ray may cross; certainly not the others.
     ///
-    /// The edge functions of [`Triangle::cross`] in `f32`, each with a bound on its error: a
-    /// triangle is out where one of them is certainly positive and another certainly negative.
-    /// Infinities and NaN are never certain.
+    /// The edge functions of [`Triangle::cross`], from the same corners, but with products rounded
+    /// to `f32`: of two numbers the larger is never rounded to less than the smaller, so where the
+    /// rounded products differ, the exact ones differ in the same sense. A triangle is out where
+    /// one edge has the ray on its left and another on its right; NaN is on neither side.
     #[inline(always)]
     pub(super) fn candidates(&self, ray: &PreparedRay) -> u32 {
-        let [ax, ay, az] = ray.axes;
-        let mut xs = [[0.0; WIDTH]; 3];
-        let mut ys = [[0.0; WIDTH]; 3];
-        for k in 0..3 {
-            let [x, y, z] = [ax, ay, az].map(|axis| &self.corners[k][axis]);
-            let [ox, oy, oz] = [ax, ay, az].map(|axis| ray.origin[axis]);
-            for lane in 0..WIDTH {
-                let height = z[lane] - oz;
-                xs[k][lane] = (x[lane] - ox) - ray.shear[0] * height;
-                ys[k][lane] = (y[lane] - oy) - ray.shear[1] * height;
+        let (sx, sy) = (f32x8::splat(ray.shear[0]), f32x8::splat(ray.shear[1]));
+        let [x, y, z] = ray.axes;
+        let lanes = |axis: usize| f32x8::splat(ray.origin[axis]);
+        let (ox, oy, oz) = (lanes(x), lanes(y), lanes(z));
+        let mut corners = [(f32x8::ZERO, f32x8::ZERO); 3];
+        for (sheared, corner) in corners.iter_mut().zip(&self.corners) {
+            let height = corner[z] - oz;
+            *sheared = (corner[x] - ox - sx * height, corner[y] - oy - sy * height);
+        }
+        let [a, b, c] = corners;
+        let mut positive = f32x8::ZERO;
+        let mut negative = f32x8::ZERO;
+        for (p, q) in [(b, c), (c, a), (a, b)] {
+            let (left, right) = (q.0 * p.1, q.1 * p.0);
+            positive |= left.simd_gt(right);
+            negative |= left.simd_lt(right);
+        }
+        self.present & !(positive & negative).to_bitmask()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::geometry::Ray;
+    use crate::sampling::stream::{Purpose, Stream};
+
+    #[test]
+    fn no_triangle_that_is_crossed_is_passed_over() {
+        let (mut crossed, mut candidates, mut lost_by_strict) = (0, 0, 0);
+        for i in 0..40_000 {
+            let mut numbers = Stream::new(2, i, 0).at(0, Purpose::Direction);
+            let size = libm::exp2(f64::from(numbers.one() * 80.0 - 40.0)) as f32;
+            let mut point = || Vec3::from([(); 3].map(|()| (numbers.one() - 0.5) * size));
+            let triangles = [(); 5].map(|()| {
+                let (a, b, c) = (point(), point(), point());
+                Triangle { a, b, c }
+            });
+            let packet = Packet::new(0, &triangles);
+            // Exactly at a corner, into an edge, or anywhere.
+            let t = triangles[i as usize % 5];
+            let target = match i % 3 {
+                0 => t.a,
+                1 => t.a * 0.5 + t.b * 0.5,
+                _ => point(),
+            };
+            let origin = point() * 3.0;
+            let ray = Ray::new(origin, target - origin);
+            if !ray.is_valid() {
+                continue;
+            }
+            let ray = PreparedRay::from(&ray);
+            let found = packet.candidates(&ray);
+            candidates += found.count_ones();
+            assert_eq!(found >> 5, 0, "lanes without a triangle");
+            for (lane, t) in triangles.iter().enumerate() {
+                assert_eq!(packet.triangle(lane).a, t.a);
+                if t.cross(&ray, f32::MAX).is_some() {
+                    crossed += 1;
+                    assert!(found >> lane & 1 == 1, "{t:?} {ray:?}");
+                    lost_by_strict += u32::from(is_out_where_an_edge_is_zero(t, &ray));
+                }
             }
         }
-        let mut highest = [f32::NEG_INFINITY; WIDTH];
-        let mut lowest = [f32::INFINITY; WIDTH];
-        for (p, q) in [(1, 2), (2, 0), (0, 1)] {
-            for lane in 0..WIDTH {
-                let left = xs[q][lane] * ys[p][lane];
-                let right = ys[q][lane] * xs[p][lane];
-                let edge = left - right;
-                // Three roundings, of which the products' may be in the last subnormal digit.
-                let error = (left.abs() + right.abs()) * gamma(4) + f32::MIN_POSITIVE;
-                let (low, high) = (edge + error, edge - error);
-                highest[lane] = if high > highest[lane] {
-                    high
-                } else {
-                    highest[lane]
-                };
-                lowest[lane] = if low < lowest[lane] {
-                    low
-                } else {
-                    lowest[lane]
-                };
-            }
-        }
-        let mut out = 0;
-        for lane in 0..WIDTH {
-            out |= u32::from((highest[lane] > 0.0) & (lowest[lane] < 0.0)) << lane;
-        }
-        self.present & !out
+        println!(
+            "{crossed} crossings, {candidates} candidates, {lost_by_strict} lost without edges"
+        );
+        assert!(
+            crossed > 20_000 && candidates < 2 * crossed && lost_by_strict > 100,
+            "{candidates}"
+        );
+    }
+
+    /// The same edge functions, where a ray on an edge counts as outside.
+    fn is_out_where_an_edge_is_zero(t: &Triangle, ray: &PreparedRay) -> bool {
+        let [x, y, z] = ray.axes;
+        let [a, b, c] = [t.a, t.b, t.c].map(|v| {
+            let v = (v - ray.origin).to_array();
+            [v[x] - ray.shear[0] * v[z], v[y] - ray.shear[1] * v[z]]
+        });
+        let edges = [(b, c), (c, a), (a, b)].map(|(p, q)| q[0] * p[1] - q[1] * p[0]);
+        edges.iter().any(|e| *e >= 0.0) && edges.iter().any(|e| *e <= 0.0)
     }
 }
