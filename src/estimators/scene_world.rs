@@ -66,7 +66,12 @@ impl World<Solid> for SceneWorld<'_, '_> {
     }
 
     fn environment(&self, direction: Vec3) -> Rgb {
-        self.tracer.scene().background(direction)
+        let scene = self.tracer.scene();
+        // An image around the scene is one of the lights, and aimed at.
+        match scene.environment_light {
+            Some(_) => Rgb::BLACK,
+            None => scene.background(direction),
+        }
     }
 
     fn direct(&mut self, at: &Hit<Solid, Rgb>, stream: &Stream, node: u64) -> Rgb {

@@ -59,6 +59,11 @@ impl Quad {
         a.max(b).max(c).max(d)
     }
 
+    /// The corners in order: `corner`, `+ u`, `+ u + v`, `+ v`.
+    pub fn corners(&self) -> [Vec3; 4] {
+        self.corners
+    }
+
     /// Unit normal.
     pub fn normal(&self) -> Vec3 {
         self.normal

@@ -32,6 +32,11 @@ impl Triangle {
         n.is_finite() && n.length_squared() > 0.0
     }
 
+    /// Area in square scene units.
+    pub fn area(&self) -> f64 {
+        0.5 * self.cross_product().length()
+    }
+
     /// Twice the area times the normal, in `f64`: the products of `f32` edges neither vanish nor
     /// overflow there.
     fn cross_product(&self) -> DVec3 {

@@ -1,8 +1,8 @@
 //! Path tracing as a pure random walk: one ray in, one ray out, until a light happens to be hit.
 //!
-//! Simulates the paths `L(S|G|D)*E` of lamps with extent and of the background: all there are, up
-//! to the depth cut. Point and directional lights have no extent, so no walk ever meets them; a
-//! scene lit by nothing else is black.
+//! Simulates the paths `L(S|G|D)*E` of lamps with extent and of the background, one colour or an
+//! image: all there are, up to the depth cut. Point and directional lights have no extent, so no
+//! walk ever meets them; a scene lit by nothing else is black.
 //!
 //! Differs from `whitted`: where that follows every branch of a tree and asks every lamp, this
 //! chooses one direction, diffuse ones too, and asks nobody. A path costs as many rays as it has

@@ -8,12 +8,14 @@
 //! Differs from `kajiya`: at each hit that is not perfectly specular a shadow ray goes to every
 //! lamp. Their light is then in the sum, and must not count again where the walk meets a lamp by
 //! chance, except straight from the eye or after a mirror or glass, where no shadow ray could ask
-//! for it. A background of one colour is no lamp one aims at: it counts wherever the walk leaves
-//! the scene. Less noise where lamps are small or far; more where they are large and close, and on
-//! gloss.
+//! for it. An image around the scene is a lamp like any other; a background of one colour is none:
+//! it counts wherever the walk leaves the scene.
 //!
-//! Gloss counts as diffuse: shadow rays go from there, too. The smoother it is, the fewer of the
-//! points drawn on a lamp lie in its lobe, and the larger is the noise.
+//! Less noise where lamps are small or far. Rectangles, triangles and spheres are drawn uniformly in
+//! solid angle; other parallelograms and meshes uniformly in area, so that close to a large one
+//! there is more noise, and where it meets a wall in an edge the variance is infinite. Gloss counts
+//! as diffuse: the smoother it is, the fewer of the points drawn on a lamp lie in its lobe, and the
+//! larger is the noise.
 //!
 //! Source: Kajiya, The Rendering Equation (SIGGRAPH 1986); Shirley, Wang, Zimmerman, Monte Carlo
 //! Techniques for Direct Lighting Calculations (TOG 15(1), 1996).

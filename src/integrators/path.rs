@@ -107,7 +107,7 @@ fn arriving(tracer: &Tracer, ray: &Ray, hit: Option<&Hit>, drawn: Drawn) -> Rgb 
     let scene = tracer.scene();
     let (radiance, light) = match hit {
         Some(hit) => (hit.emitted(-ray.direction), hit.object.light),
-        None => (scene.background(ray.direction), None),
+        None => (scene.background(ray.direction), scene.environment_light),
     };
     match (drawn, light) {
         (Some((from, pdf)), Some(light)) if !radiance.is_black() => {

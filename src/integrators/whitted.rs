@@ -1,9 +1,10 @@
 //! Whitted's ray tracing: a tree of mirror and glass rays, and shadow rays at its leaves.
 //!
 //! Simulates the paths `LD?S*E`: light that is seen directly, through any number of perfectly
-//! specular bounces, or after exactly one diffuse reflection. Light that bounces between diffuse
-//! surfaces, or is focused on one by glass, is not there. Rough mirrors and rough glass count as
-//! diffuse here: they show lamps, and nothing else.
+//! specular bounces, or after exactly one diffuse reflection. An image around the scene is a lamp
+//! that diffuse surfaces ask; a background of one colour is only seen. Light that bounces between
+//! diffuse surfaces, or is focused on one by glass, is not there. Rough mirrors and rough glass count
+//! as diffuse here: they show lamps, and nothing else.
 //!
 //! Source: Whitted, An Improved Illumination Model for Shaded Display (CACM 23(6), 1980). His
 //! lights are points; here a shadow ray aims at a random point of an extended light.

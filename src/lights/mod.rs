@@ -2,13 +2,19 @@
 
 mod choice;
 mod delta;
+mod environment;
+mod mesh;
 mod quad;
 mod sphere;
+mod triangle;
 
 pub use choice::LightChoice;
 pub use delta::{DirectionalLight, PointLight};
+pub use environment::EnvironmentLight;
+pub use mesh::MeshLight;
 pub use quad::QuadLight;
 pub use sphere::SphereLight;
+pub use triangle::TriangleLight;
 
 use crate::color::Rgb;
 use crate::geometry::{Ray, Surface};
@@ -26,6 +32,12 @@ pub enum Light {
     Quad(QuadLight),
     /// A sphere, outwards.
     Sphere(SphereLight),
+    /// A triangle, on its front side.
+    Triangle(TriangleLight),
+    /// A mesh, on the front sides of its triangles.
+    Mesh(MeshLight),
+    /// An image around the scene.
+    Environment(EnvironmentLight),
 }
 
 /// Light that would arrive if nothing were in its way.
@@ -72,19 +84,25 @@ impl Light {
             Light::Directional(l) => Some(l.sample(from)),
             Light::Quad(l) => l.sample(from, u),
             Light::Sphere(l) => l.sample(from, u),
+            Light::Triangle(l) => l.sample(from, u),
+            Light::Mesh(l) => l.sample(from, u),
+            Light::Environment(l) => l.sample(from, u),
         }
     }
 
     /// Density in 1/sr with which [`Light::sample`] draws the unit direction `wi`, seen from `from`.
     ///
-    /// * `at` is the point of this light that a ray along `wi` meets; `None` where it leaves the
-    ///   scene, which only lights infinitely far away can be met by.
+    /// * `at` is the point of this light that a ray along `wi` meets; `None` where the ray leaves the
+    ///   scene, and can only meet an environment.
     ///
     /// 0 for lights without extent, which no ray meets, and where [`Light::sample`] draws nothing.
     pub fn pdf(&self, from: &Surface, wi: Vec3, at: Option<&Surface>) -> f32 {
         match (self, at) {
             (Light::Quad(l), Some(at)) => l.pdf(from, wi, at),
             (Light::Sphere(l), Some(at)) => l.pdf(from, wi, at),
+            (Light::Triangle(l), Some(at)) => l.pdf(from, wi, at),
+            (Light::Mesh(l), Some(at)) => l.pdf(from, wi, at),
+            (Light::Environment(l), None) => l.pdf(wi),
             _ => 0.0,
         }
     }
@@ -102,6 +120,9 @@ impl Light {
             Light::Directional(l) => disc * mean(l.irradiance),
             Light::Quad(l) => PI * f64::from(l.quad.area()) * mean(l.radiance),
             Light::Sphere(l) => PI * l.area() * mean(l.radiance),
+            Light::Triangle(l) => PI * l.triangle.area() * mean(l.radiance),
+            Light::Mesh(l) => PI * l.area() * mean(l.radiance()),
+            Light::Environment(l) => disc * l.fluence(),
         };
         if power > 0.0 {
             power.clamp(f64::from(f32::MIN_POSITIVE), f64::from(f32::MAX)) as f32
@@ -115,20 +136,47 @@ fn mean(light: Rgb) -> f64 {
     light.channels().map(f64::from).iter().sum::<f64>() / 3.0
 }
 
-/// Converts a density per area into one per solid angle: `p_ω = p_A d² / |cos θ_light|`.
-///
-/// * `distance2`: squared distance between the two points.
-/// * `cos_light`: cosine at the light, positive.
-pub fn area_to_solid_angle(pdf_area: f32, distance2: f32, cos_light: f32) -> f32 {
-    pdf_area * distance2 / cos_light
+/// A light seen under less than this, in sr, is sampled by area: as good from so far away, while
+/// solid angles lose their digits.
+const SMALLEST_SOLID_ANGLE: f64 = 1e-6;
+
+/// True where `from` is before the front of a flat light and surely not on it: a point of the light
+/// itself, rounded outwards, would see the light beneath its feet.
+fn faces(light: Surface, from: &Surface) -> bool {
+    let height = (from.p.as_dvec3() - light.p.as_dvec3()).dot(light.n.as_dvec3());
+    height > f64::from(light.n.abs().dot(light.error + from.error))
 }
 
-/// Density in 1/sr of the direction `wi` from `from` to the point `at` of a one-sided light, drawn
-/// uniformly in `area`; 0 edge-on, from behind, and on the light itself.
-fn pdf_by_area(area: f32, from: &Surface, wi: Vec3, at: &Surface) -> f32 {
-    let cos_light = -at.n.dot(wi);
-    let distance2 = (at.p - from.p).length_squared();
-    let pdf = area_to_solid_angle(1.0 / area, distance2, cos_light);
+/// The light that comes from the point `target` of a one-sided light, whose direction was drawn
+/// with density `pdf`; `None` where it shines away.
+fn towards(
+    from: &Surface,
+    target: &Surface,
+    radiance: Rgb,
+    pdf: impl Fn(Vec3) -> f32,
+) -> Option<LightSample> {
+    if !faces(*target, from) {
+        return None;
+    }
+    // Not the direction of the shadow ray, which keeps a distance from both surfaces: seen from a
+    // point close to the light, that would be another one.
+    let wi = (target.p.as_dvec3() - from.p.as_dvec3())
+        .normalize()
+        .as_vec3();
+    let pdf = pdf(wi);
+    (target.n.dot(wi) < 0.0 && pdf > 0.0).then(|| LightSample {
+        wi,
+        incident: Incident::Radiance { li: radiance, pdf },
+        shadow_ray: from.spawn_to(target),
+    })
+}
+
+/// Density in 1/sr of the direction `wi` from `from` to the point `at` of a one-sided light that was
+/// drawn uniformly in its area `A`, `d² / (A cos θ_light)`; 0 edge-on, from behind and on the light.
+fn pdf_by_area(area: f64, from: &Surface, wi: Vec3, at: &Surface) -> f32 {
+    let cos_light = -f64::from(at.n.dot(wi));
+    let distance2 = (at.p.as_dvec3() - from.p.as_dvec3()).length_squared();
+    let pdf = (distance2 / (area * cos_light)) as f32;
     if cos_light > 0.0 && pdf.is_finite() {
         pdf
     } else {

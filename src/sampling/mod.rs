@@ -14,6 +14,8 @@ pub mod frame;
 pub mod half_disk;
 pub mod hemisphere;
 pub mod mis;
+pub mod spherical_rectangle;
+pub mod spherical_triangle;
 pub mod stream;
 pub mod warps;
 

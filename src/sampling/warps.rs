@@ -85,3 +85,19 @@ pub fn sample_cone(u: [f32; 2], one_minus_cos_max: f32) -> Vec3 {
 pub fn pdf_cone(one_minus_cos_max: f32) -> f32 {
     1.0 / (2.0 * PI * one_minus_cos_max)
 }
+
+/// Draws a point of a triangle, uniformly: the weights of its second and third corner.
+///
+/// * Domain: `u` in `[0, 1)²` → `b`, `c` of at least 0 whose sum is at most 1, up to rounding.
+/// * Density: `1 / area`, per unit area of the triangle ([`pdf_triangle`]).
+/// * Method: the share of the triangle beyond a line parallel to a side is a square.
+/// * Source: Turk, Generating Random Points in Triangles (Graphics Gems, 1990).
+pub fn sample_triangle(u: [f32; 2]) -> [f32; 2] {
+    let root = u[0].sqrt();
+    [root * (1.0 - u[1]), root * u[1]]
+}
+
+/// Density of [`sample_triangle`] on a triangle of this area, per unit area.
+pub fn pdf_triangle(area: f64) -> f64 {
+    1.0 / area
+}

@@ -5,11 +5,10 @@ mod materials;
 use super::description::{self as said, Description};
 use super::field::{self, Checked, Field, exactly_one};
 use super::placement::Placement;
-use super::{BuildReport, Object, Scene, Suggested, mesh_file, procedural};
+use super::{BuildReport, Object, Scene, Suggested, lamps, mesh_file, procedural};
 use crate::camera::{Camera, Lens};
-use crate::color::Rgb;
-use crate::geometry::{Aabb, Bvh, Mesh, Quad, Shape, Sphere};
-use crate::lights::{DirectionalLight, Light, LightChoice, PointLight, QuadLight, SphereLight};
+use crate::geometry::{Bvh, Mesh, Quad, Shape, Sphere};
+use crate::lights::{Light, LightChoice};
 use crate::materials::Material;
 use glam::{DVec3, Vec3};
 use std::collections::BTreeMap;
@@ -34,10 +33,7 @@ pub fn build(said: &Description, folder: Option<&Path>) -> Checked<Scene> {
         max_depth: field::whole(&render.key("max_depth"), said.render.max_depth, 1, 100_000)?,
         spp: field::whole(&render.key("spp"), said.render.spp, 1, 1 << 24)?,
     };
-    let background = match said.background {
-        Some(color) => field::light_or_none(&top.key("background"), color)?,
-        None => Rgb::BLACK,
-    };
+    let (background, environment) = lamps::environment(&top, said, folder)?;
     let mut parts = Parts {
         origin,
         folder,
@@ -54,13 +50,16 @@ pub fn build(said: &Description, folder: Option<&Path>) -> Checked<Scene> {
     for (i, object) in said.objects.iter().enumerate() {
         parts.add_object(&top.key("objects").item(i), object)?;
     }
+    let environment_light = environment.is_some().then_some(parts.lights.len());
+    parts.lights.extend(environment);
     Ok(Scene {
         name: said.name.clone(),
         about: said.about.clone(),
         camera,
         size,
         background,
-        light_choice: LightChoice::by_power(&parts.lights, radius(&parts.shapes)),
+        environment_light,
+        light_choice: LightChoice::by_power(&parts.lights, lamps::radius(&parts.shapes)),
         lights: parts.lights,
         suggested,
         report: BuildReport {
@@ -72,13 +71,6 @@ pub fn build(said: &Description, folder: Option<&Path>) -> Checked<Scene> {
         object_of_shape: parts.object_of_shape,
         bvh: Bvh::new(&parts.shapes),
     })
-}
-
-/// Radius of a sphere around all shapes; 0 where there are none.
-fn radius(shapes: &[Shape]) -> f32 {
-    let around = shapes.iter().map(Shape::bounds).reduce(Aabb::union);
-    let diagonal = around.map(|b| b.max.as_dvec3() - b.min.as_dvec3());
-    diagonal.map_or(0.0, |d| 0.5 * d.length()) as f32
 }
 
 /// Checks the size of an image.
@@ -131,15 +123,15 @@ fn lens(field: &Field, said: &said::Camera, distance: f64) -> Checked<Option<Len
 }
 
 /// A scene while it is put together.
-struct Parts<'a> {
+pub(super) struct Parts<'a> {
     /// The camera's place: all coordinates become relative to it.
     origin: DVec3,
     folder: Option<&'a Path>,
     materials: BTreeMap<String, Material>,
-    shapes: Vec<Shape>,
-    object_of_shape: Vec<u32>,
-    objects: Vec<Object>,
-    lights: Vec<Light>,
+    pub(super) shapes: Vec<Shape>,
+    pub(super) object_of_shape: Vec<u32>,
+    pub(super) objects: Vec<Object>,
+    pub(super) lights: Vec<Light>,
     degenerate_triangles: usize,
 }
 
@@ -149,36 +141,13 @@ impl Parts<'_> {
     }
 
     /// The same for a point that is worth nothing where `f32` cannot hold it.
-    fn within_reach(&self, field: &Field, p: DVec3) -> Checked<Vec3> {
+    pub(super) fn within_reach(&self, field: &Field, p: DVec3) -> Checked<Vec3> {
         let p = self.relative(p);
         if p.is_finite() {
             Ok(p)
         } else {
             Err(field.problem("must be at most 3.4e38 away from the camera"))
         }
-    }
-
-    fn add_light(&mut self, field: &Field, said: &said::Light) -> Checked<()> {
-        let point = said.point.as_ref().map(|l| {
-            let field = field.key("point");
-            let at = field.key("position");
-            Ok(Light::Point(PointLight {
-                position: self.within_reach(&at, field::vector(&at, l.position)?)?,
-                intensity: field::light(&field.key("intensity"), l.intensity)?,
-            }))
-        });
-        let directional = said.directional.as_ref().map(|l| {
-            let field = field.key("directional");
-            let direction = field::direction(&field.key("direction"), l.direction)?;
-            Ok(Light::Directional(DirectionalLight {
-                from: -direction.as_vec3(),
-                irradiance: field::light(&field.key("irradiance"), l.irradiance)?,
-            }))
-        });
-        let kinds = vec![("point", point), ("directional", directional)];
-        self.lights
-            .push(exactly_one(field, "kind of light", kinds)??);
-        Ok(())
     }
 
     fn add_object(&mut self, field: &Field, said: &said::Object) -> Checked<()> {
@@ -195,45 +164,11 @@ impl Parts<'_> {
         }
         let place = Placement::new(&field.key("transform"), said.transform.as_ref())?;
         let shapes = self.shapes(field, said, &place)?;
-        let Some(radiance) = emission else {
-            self.push(shapes, material, None);
-            return Ok(());
-        };
-        for shape in shapes {
-            let light = match shape {
-                Shape::Quad(quad) => Light::Quad(QuadLight { quad, radiance }),
-                Shape::Sphere(sphere) => Light::Sphere(SphereLight { sphere, radiance }),
-                Shape::Triangle(_) => {
-                    return Err(field.key("emits").problem(
-                        "is not possible for triangles and meshes; \
-                         quad, box and sphere can emit light",
-                    ));
-                }
-            };
-            self.push(vec![shape], material, Some((light, radiance)));
+        match emission {
+            Some(radiance) => self.push_lamp(shapes, material, radiance),
+            None => self.push(shapes, material, None),
         }
         Ok(())
-    }
-
-    /// Adds shapes as one object, which may be a light.
-    fn push(
-        &mut self,
-        shapes: Vec<Shape>,
-        material: Option<Material>,
-        light: Option<(Light, Rgb)>,
-    ) {
-        let object = self.objects.len() as u32;
-        let index = light.as_ref().map(|_| self.lights.len() as u32);
-        let (light, emission) = light.unzip();
-        self.lights.extend(light);
-        self.objects.push(Object {
-            material,
-            emission: emission.unwrap_or_default(),
-            light: index,
-        });
-        self.object_of_shape
-            .extend(std::iter::repeat_n(object, shapes.len()));
-        self.shapes.extend(shapes);
     }
 
     fn material_named(&self, field: &Field, name: &str) -> Checked<Material> {

@@ -27,6 +27,8 @@ pub struct Description {
     pub about: String,
     /// Radiance of rays that leave the scene.
     pub background: Option<Color>,
+    /// The same with more to say.
+    pub environment: Option<Environment>,
     /// Suggested settings.
     #[serde(default)]
     pub render: Render,
@@ -229,6 +231,20 @@ pub struct Light {
     pub point: Option<PointLight>,
     /// A direction.
     pub directional: Option<DirectionalLight>,
+}
+
+/// What is seen beyond the scene: a radiance or an image.
+#[derive(Clone, Debug, serde::Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Environment {
+    /// The same radiance everywhere.
+    pub radiance: Option<Color>,
+    /// `.exr`, `.hdr` or `.png` in latitude and longitude, relative to the scene file.
+    pub image: Option<PathBuf>,
+    /// A factor for the image's values.
+    pub scale: Option<f64>,
+    /// The image's rotation about `+y` in degrees, counter-clockwise seen from above.
+    pub rotate: Option<f64>,
 }
 
 /// A point that shines the same everywhere.

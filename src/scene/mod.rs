@@ -9,6 +9,7 @@ pub mod description;
 pub mod field;
 pub mod gallery;
 pub mod image_file;
+mod lamps;
 mod mesh_file;
 mod placement;
 mod procedural;
@@ -42,10 +43,14 @@ pub struct Scene {
     /// Image width and height in pixels.
     pub size: [u32; 2],
     /// Lights one can aim at: those without a surface in the order of the file, then those of
-    /// objects.
+    /// objects, then an image around the scene.
     pub lights: Vec<Light>,
     /// Chooses one of [`Scene::lights`] by its power.
     pub light_choice: LightChoice,
+    /// The index in [`Scene::lights`] of the image around the scene. Where there is one, a ray that
+    /// leaves the scene after the lights were asked brings nothing new; a background of one colour
+    /// is no light one aims at, and counts whenever a ray leaves.
+    pub environment_light: Option<usize>,
     /// What the file suggests for a render.
     pub suggested: Suggested,
     /// What happened while the scene was built.
@@ -59,8 +64,11 @@ pub struct Scene {
 
 impl Scene {
     /// Radiance along a ray that leaves the scene in the unit `direction`.
-    pub fn background(&self, _direction: Vec3) -> Rgb {
-        self.background
+    pub fn background(&self, direction: Vec3) -> Rgb {
+        match self.environment_light.and_then(|i| self.lights.get(i)) {
+            Some(Light::Environment(image)) => image.radiance(direction),
+            _ => self.background,
+        }
     }
 }
 

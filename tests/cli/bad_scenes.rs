@@ -45,6 +45,17 @@ lambert = { albedo = [0.5, 0.4, 0.3] } | mixture = { kd = nan, ks = 0.3, kt = 0.
 lambert = { albedo = [0.5, 0.4, 0.3] } | mixture = { kd = 0, ks = 0, kt = 1, ior = -1.5 } | materials.dull.mixture.ior | between 0.1 and 10
 background = 0.5 | background = [0, 0, -1] | background | 0 or more
 background = 0.5 | background = 1e39 | background | 0 or more
+background = 0.5 | background = 0.5⏎environment = { radiance = 1 } # <- | environment | beside `background`
+background = 0.5 | environment = { radiance = -1 } | environment.radiance | 0 or more
+background = 0.5 | environment = {} | environment | one of radiance, image
+background = 0.5 | environment = { radiance = 1, image = "a.hdr" } | environment | both radiance and image
+background = 0.5 | environment = { radiance = 1, scale = 2 } | environment.scale | with an `image`
+background = 0.5 | environment = { radiance = 1, rotate = 2 } | environment.rotate | with an `image`
+background = 0.5 | environment = { image = "a.hdr", scale = 0 } | environment.scale | greater than 0
+background = 0.5 | environment = { image = "a.hdr", rotate = nan } | environment.rotate | finite
+background = 0.5 | environment = { image = "a.jpg" } | environment.image | .exr, .hdr and .png
+background = 0.5 | environment = { image = "none.hdr" } | environment.image | cannot be opened
+background = 0.5 | environment = { picture = "a.hdr" } | environment.picture | `radiance`, `image`
 radius = 0.5 | radius = -1 | objects[1].sphere.radius | greater than 0, not -1
 radius = 0.5 | radius = 0 | objects[1].sphere.radius | greater than 0
 radius = 0.5 | radius = -0.0 | objects[1].sphere.radius | greater than 0
@@ -118,8 +129,6 @@ intensity = 9 | intensity = [1, 1, -1] | lights[0].point.intensity | 0 or more
 [0.1, 0.2, 0.3] | [0.0, 1e-46, 0] | lights[1].directional.irradiance | no light
 emits = [2, 2, 2] | emits = [0, 0, 0] | objects[5].emits | no light at all
 emits = [2, 2, 2] | emits = [-1, 2, 2] | objects[5].emits | red is -1
-material = "clear" | emits = 1 | objects[2].emits | quad, box and sphere can
-material = "dull"⏎bumpy | emits = 1⏎bumpy | objects[4].emits | quad, box and sphere can
 u = [2, 0, 0], v = [0, 0, 2] | u = [1e-25, 0, 0], v = [0, 0, 1e-25] | objects[5].quad | area
 [[lights]]⏎point = { | [[lights]]⏎directional = { direction = [0, 1, 0], irradiance = 1 }⏎point = { | lights[0] | both point and directional
 [[lights]]⏎point | [[lights]]⏎[[lights]]⏎point | lights[0] | one of point, directional

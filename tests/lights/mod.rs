@@ -2,8 +2,12 @@
 
 mod choice;
 mod densities;
+mod environment;
+mod rectangle;
+mod sphere;
+mod triangle;
 
-use glam::Vec3;
+use glam::{DVec3, Vec3};
 use halfdisk::geometry::Surface;
 use halfdisk::lights::{Incident, Light};
 use halfdisk::sampling::stream::{Purpose, Stream};
@@ -56,4 +60,18 @@ pub fn irradiance_by(
         })
     };
     (0..samples).map(one).collect()
+}
+
+/// The irradiance at the origin, facing along `n`, by a polygon of radiance 1 above its horizon.
+///
+/// Source: Lambert, Photometria (1760): half the sum over the edges of angle times the cosine of
+/// the plane through edge and eye.
+pub fn polygon(corners: &[DVec3], n: DVec3) -> f64 {
+    let edge = |i: usize| {
+        let (a, b) = (corners[i], corners[(i + 1) % corners.len()]);
+        let across = a.cross(b);
+        let angle = libm::atan2(across.length(), a.dot(b));
+        angle * n.dot(across) / across.length()
+    };
+    0.5 * (0..corners.len()).map(edge).sum::<f64>().abs()
 }

@@ -114,7 +114,7 @@ impl<'a> Walkable<Solid> for Tracer<'a> {
         let scene = self.scene();
         let lamp = match met {
             Some(at) => at.hit.object.light,
-            None => None,
+            None => scene.environment_light,
         };
         let at = met.map(|at| &at.hit.surface);
         lamp.map_or(0.0, |lamp| {
