@@ -106,12 +106,14 @@ impl Integrator for Path {
 fn arriving(tracer: &Tracer, ray: &Ray, hit: Option<&Hit>, drawn: Drawn) -> Rgb {
     let scene = tracer.scene();
     let (radiance, light) = match hit {
-        Some(hit) => (hit.emitted(-ray.direction), hit.object.light),
+        Some(hit) => {
+            let light = hit.object.light.map(|light| light as usize);
+            (hit.emitted(-ray.direction), light)
+        }
         None => (scene.background(ray.direction), scene.environment_light),
     };
     match (drawn, light) {
-        (Some((from, pdf)), Some(light)) if !radiance.is_black() => {
-            let index = light as usize;
+        (Some((from, pdf)), Some(index)) if !radiance.is_black() => {
             let at = hit.map(|hit| &hit.surface);
             let pdf_aim = scene.light_choice.probability(index)
                 * scene.lights[index].pdf(&from, ray.direction, at);

@@ -101,7 +101,7 @@ fn cells(
             };
             let p = at(x[0], cell % columns, step % STEPS, width);
             let q = at(y[0], cell / columns, step / STEPS, height);
-            *sum += z / (p * p + q * q + z * z).powf(1.5);
+            *sum += z / libm::pow(p * p + q * q + z * z, 1.5);
         }
     }
     let total: f64 = expected.iter().sum();

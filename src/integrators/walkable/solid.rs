@@ -113,12 +113,12 @@ impl<'a> Walkable<Solid> for Tracer<'a> {
     ) -> f32 {
         let scene = self.scene();
         let lamp = match met {
-            Some(at) => at.hit.object.light,
+            Some(at) => at.hit.object.light.map(|light| light as usize),
             None => scene.environment_light,
         };
         let at = met.map(|at| &at.hit.surface);
         lamp.map_or(0.0, |lamp| {
-            scene.lights[lamp as usize].pdf(&from.hit.surface, ray.direction, at)
+            scene.lights[lamp].pdf(&from.hit.surface, ray.direction, at)
         })
     }
 }
