@@ -195,6 +195,16 @@ fn other_parallelograms_by_area() {
     );
     assert!(e.z(truth).abs() <= CRITICAL, "{e:?} for {truth}");
     assert_eq!(e, by_area(&sheared, &GROUND, 400_000));
+    // The mistake of a density per solid angle without the cosine at the lamp.
+    let wrong = irradiance_by(&GROUND, 400_000, |u| {
+        let sample = sheared.sample_area(&GROUND, u)?;
+        let Incident::Radiance { li, pdf } = sample.incident else {
+            return None;
+        };
+        let pdf = pdf * -sheared.quad.normal().dot(sample.wi);
+        Some((sample.wi, Incident::Radiance { li, pdf }))
+    });
+    assert!(wrong.z(truth).abs() > CRITICAL, "{wrong:?}");
     // A twisted point of view makes no rectangle of it, nor does it unmake one.
     let square = lamp([-0.4, 0.7, -0.3], DVec3::new(0.6, 0.8, 0.0), DVec3::Z);
     let truth = polygon(&square.quad.corners().map(|c| c.as_dvec3()), DVec3::Y);
