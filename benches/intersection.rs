@@ -39,10 +39,7 @@ fn kinds(center: Vec3) -> [(&'static str, Shape); 3] {
         b: center + a,
         c: center + b,
     };
-    let sphere = Sphere {
-        center,
-        radius: 0.5,
-    };
+    let sphere = Sphere::new(center, 0.5);
     [
         ("sphere", Shape::Sphere(sphere)),
         ("quad", quad.map(Shape::Quad).expect("it has an area")),

@@ -5,12 +5,12 @@
 //! compare, a number to check and a curve to plot.
 //!
 //! ```no_run
-//! use halfdisk::integrators::Whitted;
+//! use halfdisk::integrators::Path;
 //! use halfdisk::render::{Options, render};
 //! use halfdisk::scene::gallery;
 //!
 //! let scene = gallery::load("spheres")?;
-//! let picture = render(&scene, &Whitted { max_depth: 8 }, &Options::default(), &());
+//! let picture = render(&scene, &Path::new(8), &Options::default(), &());
 //! let (mean, error) = picture.film.mean();
 //! println!("{mean:.4} ± {error:.4}");
 //! # Ok::<(), halfdisk::scene::SceneError>(())

@@ -84,10 +84,7 @@ fn a_square_lamp_overhead() {
 fn a_round_lamp_overhead_of_any_smallness() {
     for k in 0..10 {
         let r = 0.5 * libm::pow(10.0, -f64::from(k));
-        let sphere = Sphere {
-            center: Vec3::Y,
-            radius: r as f32,
-        };
+        let sphere = Sphere::new(Vec3::Y, r as f32);
         let light = Light::Sphere(SphereLight {
             sphere,
             radiance: Rgb::WHITE,
@@ -99,10 +96,7 @@ fn a_round_lamp_overhead_of_any_smallness() {
             truth,
         );
     }
-    let around = Sphere {
-        center: Vec3::Y,
-        radius: 2.0,
-    };
+    let around = Sphere::new(Vec3::Y, 2.0);
     let light = Light::Sphere(SphereLight {
         sphere: around,
         radiance: Rgb::WHITE,
@@ -116,10 +110,7 @@ fn a_round_lamp_half_below_the_horizon() {
     for (b, truth) in [(1.4, 0.092_100_7), (1.6, 0.034_672_2), (1.9, 0.000_633_600)] {
         let (s, d) = (0.4, 2.0);
         let center = DVec3::new(d * libm::sin(b), d * libm::cos(b), 0.0).as_vec3();
-        let sphere = Sphere {
-            center,
-            radius: (d * libm::sin(s)) as f32,
-        };
+        let sphere = Sphere::new(center, (d * libm::sin(s)) as f32);
         let light = Light::Sphere(SphereLight {
             sphere,
             radiance: Rgb::WHITE,

@@ -8,16 +8,27 @@ use glam::Vec3;
 /// eight roundings.
 const SPHERE_ERROR: f32 = 4.0 * f64::EPSILON as f32;
 
-/// A sphere; its normal points outwards.
+/// A sphere; its front is outside, or inside.
 #[derive(Clone, Copy, Debug)]
 pub struct Sphere {
     /// Its centre.
     pub center: Vec3,
     /// Its radius, positive.
     pub radius: f32,
+    /// True where its normal points to the centre: a room, not a ball.
+    pub inward: bool,
 }
 
 impl Sphere {
+    /// A ball: its front is outside.
+    pub fn new(center: Vec3, radius: f32) -> Self {
+        Sphere {
+            center,
+            radius,
+            inward: false,
+        }
+    }
+
     /// The first crossing with `0 < t <= t_max`.
     ///
     /// Numbers go in and out as `f32`, the quadratic runs in `f64`: ten thousand radii away the
@@ -59,7 +70,11 @@ impl Sphere {
             // One rounding to f32, one to spare, and those of the sum in f64, which matter only
             // where a huge sphere passes close to the world's origin.
             error: p.abs() * gamma(2) + self.radius * SPHERE_ERROR,
-            n: n.as_vec3(),
+            n: if self.inward {
+                -n.as_vec3()
+            } else {
+                n.as_vec3()
+            },
         }
     }
 

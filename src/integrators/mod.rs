@@ -16,6 +16,7 @@
 mod combine;
 mod kajiya;
 mod next_event;
+mod onward;
 mod path;
 mod roulette;
 mod tree;

@@ -5,14 +5,18 @@
 //! of point and directional lights `L(D|G)(S|G|D)*E`: the same light as `combine`.
 //!
 //! Differs from `combine`: one lamp is chosen by its power where that asks all, so that a scene may
-//! have thousands; and a path that carries little may end before the depth cut. It is the ladder's
-//! last rung and only puts its steps together; each has a rung of its own.
+//! have thousands; a path that carries little may end before the depth cut; and where a scene has
+//! mirrors or glass, half of the rays from other surfaces look there, for no shadow ray finds the
+//! light they focus. It is the ladder's last rung and puts its steps together; most have a rung of
+//! their own.
 //!
 //! Sources: Kajiya, The Rendering Equation (SIGGRAPH 1986); Arvo, Kirk, Particle Transport and Image
 //! Synthesis (SIGGRAPH 1990); Veach, Guibas, Optimally Combining Sampling Techniques for Monte Carlo
-//! Rendering (SIGGRAPH 1995).
+//! Rendering (SIGGRAPH 1995); Jensen, Global Illumination Using Photon Maps (Rendering Techniques
+//! 1996), "Projection maps", for looking where light is focused.
 
 use super::Integrator;
+use super::onward::Onward;
 use super::walkable::SolidPoint;
 use crate::color::Rgb;
 use crate::geometry::{Ray, Surface};
@@ -72,15 +76,16 @@ impl Integrator for Path {
             // The light of one lamp that is scattered once, here.
             let place = u64::from(depth);
             let at = SolidPoint::new(here, ray.direction);
+            let onward = Onward::new(tracer.scene(), &at, material);
             if material.is_smooth() {
                 let numbers = stream.at(place, Purpose::LightPoint);
-                li += beta * aim(tracer, &at, numbers);
+                li += beta * aim(tracer, &onward, numbers);
             }
 
             // Choose where to look next.
             let mut numbers = stream.at(place, Purpose::Direction);
-            let (u, choice) = (numbers.two(), numbers.one());
-            let Some(step) = material.scatter(at.wo, choice, u) else {
+            let branch = stream.at(place, Purpose::Branch);
+            let Some(step) = onward.sample(&mut numbers, branch) else {
                 break;
             };
             beta *= step.weight;
@@ -94,7 +99,7 @@ impl Integrator for Path {
                 beta = beta / q;
             }
             drawn = step.pdf.map(|pdf| (here.surface, pdf));
-            ray = here.surface.spawn(at.frame.to_world(step.wi).normalize());
+            ray = here.surface.spawn(step.direction);
             hit = tracer.secondary_ray(&ray);
         }
         li
@@ -124,19 +129,18 @@ fn arriving(tracer: &Tracer, ray: &Ray, hit: Option<&Hit>, drawn: Drawn) -> Rgb 
 }
 
 /// The light of all lamps that a surface scatters back, estimated by one of them.
-fn aim(tracer: &mut Tracer, at: &SolidPoint, mut numbers: Numbers) -> Rgb {
+fn aim(tracer: &mut Tracer, onward: &Onward, mut numbers: Numbers) -> Rgb {
     let scene = tracer.scene();
+    let at = onward.at;
     let (u, pick) = (numbers.two(), numbers.one());
-    let (Some(material), Some((index, probability))) =
-        (at.hit.object.material, scene.light_choice.choose(pick))
-    else {
+    let Some((index, probability)) = scene.light_choice.choose(pick) else {
         return Rgb::BLACK;
     };
     let Some(sample) = scene.lights[index].sample(&at.hit.surface, u) else {
         return Rgb::BLACK;
     };
     let wi = at.frame.to_local(sample.wi);
-    let scattered = material.f(at.wo, wi) * wi.z.abs();
+    let scattered = onward.material.f(at.wo, wi) * wi.z.abs();
     if scattered.is_black() || !tracer.is_free(&sample.shadow_ray) {
         return Rgb::BLACK;
     }
@@ -144,7 +148,7 @@ fn aim(tracer: &mut Tracer, at: &SolidPoint, mut numbers: Numbers) -> Rgb {
         * match sample.incident {
             Incident::Radiance { li, pdf } => {
                 let pdf_aim = pdf * probability;
-                let weight = Heuristic::Power.weight(pdf_aim, material.pdf(at.wo, wi));
+                let weight = Heuristic::Power.weight(pdf_aim, onward.pdf(wi, sample.wi));
                 li * (weight / pdf_aim)
             }
             Incident::Irradiance(e) => e / probability,

@@ -1,6 +1,6 @@
 //! A parallelogram that shines on one side.
 
-use super::{LightSample, SMALLEST_SOLID_ANGLE, faces, pdf_by_area, towards};
+use super::{LightSample, SMALLEST_SOLID_ANGLE, faces, is_far, pdf_by_area, towards};
 use crate::color::Rgb;
 use crate::geometry::{Quad, Surface};
 use crate::sampling::spherical_rectangle::SphericalRectangle;
@@ -21,7 +21,7 @@ pub struct QuadLight {
 
 impl QuadLight {
     /// Draws a point of the light, uniformly in the solid angle it is seen under; uniformly in area
-    /// where its edges are not at a right angle or it looks tiny. `None` where it shines away.
+    /// where its edges are not at a right angle, it is far or looks tiny. `None` where it shines away.
     ///
     /// Density: `1 / Ω`, in 1/sr; else as [`QuadLight::sample_area`].
     pub fn sample(&self, from: &Surface, u: [f32; 2]) -> Option<LightSample> {
@@ -56,15 +56,19 @@ impl QuadLight {
         }
     }
 
-    /// The rectangle as a point before it sees it; `None` where it is none, or too small.
+    /// The rectangle as a point before it sees it; `None` where it is none, far or too small.
     fn seen_from(&self, from: &Surface) -> Option<Seen> {
-        let [a, b, _, d] = self.quad.corners().map(|c| c.as_dvec3());
+        let eye = from.p.as_dvec3();
+        let corners = self.quad.corners().map(|c| c.as_dvec3() - eye);
+        if is_far(corners) {
+            return None;
+        }
+        let [a, b, _, d] = corners;
         let (u, v) = (b - a, d - a);
         let (width, height) = (u.length(), v.length());
         let (x, y) = (u / width, v / height);
-        let to_corner = a - from.p.as_dvec3();
-        let [left, low] = [x, y].map(|axis| axis.dot(to_corner));
-        let z = x.cross(y).dot(to_corner).abs();
+        let [left, low] = [x, y].map(|axis| axis.dot(a));
+        let z = x.cross(y).dot(a).abs();
         let rectangle = SphericalRectangle::new([left, left + width], [low, low + height], z);
         (x.dot(y).abs() <= RIGHT_ANGLE && rectangle.solid_angle() >= SMALLEST_SOLID_ANGLE)
             .then_some(Seen {

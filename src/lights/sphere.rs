@@ -1,6 +1,6 @@
-//! A sphere that shines outwards.
+//! A sphere that shines on one side.
 
-use super::{Incident, LightSample};
+use super::{Incident, LightSample, pdf_by_area, towards};
 use crate::color::Rgb;
 use crate::geometry::{Sphere, Surface};
 use crate::numeric::one_minus_cos;
@@ -8,12 +8,12 @@ use crate::sampling::{frame::Frame, warps};
 use glam::{DVec3, Vec3};
 use std::f64::consts::PI;
 
-/// A sphere of constant radiance on its outside.
+/// A sphere of constant radiance on its front, outside or inside.
 #[derive(Clone, Copy, Debug)]
 pub struct SphereLight {
     /// Its shape.
     pub sphere: Sphere,
-    /// In W/(m² sr), in every outward direction.
+    /// In W/(m² sr), in every direction of the front.
     pub radiance: Rgb,
 }
 
@@ -26,11 +26,19 @@ struct Cone {
 }
 
 impl SphereLight {
-    /// Draws a direction of the cone in which the sphere is seen, uniformly in solid angle; `None`
-    /// inside, where it is dark, and on it.
+    /// Draws a direction in which the front is seen; `None` behind it, where it is dark.
     ///
-    /// Density: `1 / (2π (1 - cos θ_max))`, in 1/sr, with `sin θ_max = r / d`.
+    /// A ball is seen in a cone, drawn uniformly in solid angle: density `1 / (2π (1 - cos θ_max))`,
+    /// in 1/sr, with `sin θ_max = r / d`. Of a room a point is drawn uniformly in area: density
+    /// `d² / (A cos θ_light)`, which from a point of its own wall is `cos θ / π`, the best there is.
     pub fn sample(&self, from: &Surface, u: [f32; 2]) -> Option<LightSample> {
+        if self.sphere.inward {
+            let target = self
+                .sphere
+                .surface_towards(warps::sample_sphere(u).as_dvec3().normalize());
+            let pdf = |wi| self.pdf(from, wi, &target);
+            return towards(from, &target, self.radiance, pdf);
+        }
         let cone = self.cone(from)?;
         let distance2 = cone.to_center.length_squared();
         let axis = cone.to_center / distance2.sqrt();
@@ -54,9 +62,12 @@ impl SphereLight {
         })
     }
 
-    /// Density of [`SphereLight::sample`] in 1/sr, in a direction `wi` that meets the sphere from
-    /// outside in `at`.
+    /// Density of [`SphereLight::sample`] in 1/sr, in a direction `wi` that meets the sphere's front
+    /// in `at`.
     pub fn pdf(&self, from: &Surface, wi: Vec3, at: &Surface) -> f32 {
+        if self.sphere.inward {
+            return pdf_by_area(self.area(), from, wi, at);
+        }
         match self.cone(from) {
             Some(cone) if at.n.dot(wi) < 0.0 => warps::pdf_cone(cone.one_minus_cos_max),
             _ => 0.0,

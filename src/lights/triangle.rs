@@ -1,6 +1,6 @@
 //! A triangle that shines on one side.
 
-use super::{LightSample, SMALLEST_SOLID_ANGLE, faces, pdf_by_area, towards};
+use super::{LightSample, SMALLEST_SOLID_ANGLE, faces, is_far, pdf_by_area, towards};
 use crate::color::Rgb;
 use crate::geometry::{Crossing, Surface, Triangle};
 use crate::sampling::{spherical_triangle::SphericalTriangle, warps};
@@ -17,7 +17,7 @@ pub struct TriangleLight {
 
 impl TriangleLight {
     /// Draws a point of the light, uniformly in the solid angle it is seen under; uniformly in area
-    /// where it looks tiny. `None` where it shines away.
+    /// where it is far or looks tiny. `None` where it shines away.
     ///
     /// Density: `1 / Ω`, else `d² / (A cos θ_light)`, in 1/sr.
     pub fn sample(&self, from: &Surface, u: [f32; 2]) -> Option<LightSample> {
@@ -48,9 +48,13 @@ impl TriangleLight {
         [a, b, c].map(|corner| corner.as_dvec3() - from.p.as_dvec3())
     }
 
-    /// The triangle as a point before it sees it; `None` where it is too small.
+    /// The triangle as a point before it sees it; `None` where it is far or too small.
     fn seen_from(&self, from: &Surface) -> Option<SphericalTriangle> {
-        let seen = SphericalTriangle::new(self.corners(from))?;
+        let corners = self.corners(from);
+        if is_far(corners) {
+            return None;
+        }
+        let seen = SphericalTriangle::new(corners)?;
         (seen.solid_angle() >= SMALLEST_SOLID_ANGLE).then_some(seen)
     }
 

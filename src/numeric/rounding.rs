@@ -26,15 +26,18 @@ pub fn offset_origin(p: Vec3, error: Vec3, n: Vec3, direction: Vec3) -> Vec3 {
     let distance = n.abs().dot(error);
     let side = if direction.dot(n) < 0.0 { -1.0 } else { 1.0 };
     let offset = n * (side * distance);
-    // The sum below rounds too: step on to the next number away from the surface.
+    // The sum below rounds too: step on to the next number away from the surface. Numbers of one
+    // sign are ordered as their bits are, so that is one more or one less; zero has no sign, and
+    // the smallest number beside it serves.
     let away = |p: f32, offset: f32| {
         let moved = p + offset;
-        if offset > 0.0 {
-            moved.next_up()
-        } else if offset < 0.0 {
-            moved.next_down()
-        } else {
-            moved
+        let up = (offset > 0.0) == (moved > 0.0);
+        let bits = moved.to_bits();
+        let stepped = f32::from_bits(if up { bits + 1 } else { bits.wrapping_sub(1) });
+        match (offset == 0.0, moved == 0.0) {
+            (true, _) => moved,
+            (false, true) => f32::from_bits(1).copysign(offset),
+            (false, false) => stepped,
         }
     };
     Vec3::new(

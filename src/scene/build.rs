@@ -5,7 +5,7 @@ mod materials;
 use super::description::{self as said, Description};
 use super::field::{self, Checked, Field, exactly_one};
 use super::placement::Placement;
-use super::{BuildReport, Object, Scene, Suggested, lamps, mesh_file, procedural};
+use super::{BuildReport, Casters, Object, Scene, Suggested, lamps, mesh_file, procedural};
 use crate::camera::{Camera, Lens};
 use crate::geometry::{Bvh, Mesh, Quad, Shape, Sphere};
 use crate::lights::{Light, LightChoice};
@@ -61,6 +61,7 @@ pub fn build(said: &Description, folder: Option<&Path>) -> Checked<Scene> {
         environment_light,
         light_choice: LightChoice::by_power(&parts.lights, lamps::radius(&parts.shapes)),
         lights: parts.lights,
+        casters: Casters::new(&parts.objects, &parts.shapes, &parts.object_of_shape),
         suggested,
         report: BuildReport {
             shapes: parts.shapes.len(),
@@ -224,7 +225,11 @@ impl Parts<'_> {
         })?;
         let radius = field::positive(&radius_field, radius * scale)? as f32;
         let center = self.within_reach(&field.key("center"), place.point(center))?;
-        let sphere = Sphere { center, radius };
+        let sphere = Sphere {
+            center,
+            radius,
+            inward: said.inward,
+        };
         if !sphere.bounds().is_finite() {
             return Err(radius_field.problem("must end at most 3.4e38 away from the camera"));
         }

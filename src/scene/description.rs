@@ -165,6 +165,9 @@ pub struct Sphere {
     pub center: Triple,
     /// Radius.
     pub radius: f64,
+    /// True where its front is inside.
+    #[serde(default)]
+    pub inward: bool,
 }
 
 /// The parallelogram `corner + s u + t v`; it faces along `u × v`.

@@ -5,6 +5,7 @@
 //! [`tracer`] is the only way integrators look at a scene: it counts what they ask.
 
 pub mod build;
+mod casters;
 pub mod description;
 pub mod field;
 pub mod gallery;
@@ -16,6 +17,7 @@ mod procedural;
 pub mod read;
 pub mod tracer;
 
+pub use casters::{Casters, SeenCasters};
 pub use gallery::load;
 pub use read::SceneError;
 pub use tracer::{Hit, RayCounts, Tracer};
@@ -45,6 +47,8 @@ pub struct Scene {
     /// Lights one can aim at: those without a surface in the order of the file, then those of
     /// objects, then an image around the scene.
     pub lights: Vec<Light>,
+    /// What focuses light.
+    pub casters: Casters,
     /// Chooses one of [`Scene::lights`] by its power.
     pub light_choice: LightChoice,
     /// The index in [`Scene::lights`] of the image around the scene. Where there is one, a ray that

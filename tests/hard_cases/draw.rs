@@ -74,10 +74,7 @@ impl Draw {
     /// A shape of the size and place given: a sphere, a quad or a triangle in turn.
     pub fn shape(&mut self, kind: usize, center: Vec3, size: f32) -> Shape {
         match kind % 3 {
-            0 => Shape::Sphere(Sphere {
-                center,
-                radius: size * self.between(0.1, 1.0),
-            }),
+            0 => Shape::Sphere(Sphere::new(center, size * self.between(0.1, 1.0))),
             1 => loop {
                 let [u, v] = [self.cube(size), self.cube(size)].map(Vec3::as_dvec3);
                 let corner: DVec3 = center.as_dvec3() - (u + v) * 0.5;

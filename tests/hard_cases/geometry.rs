@@ -47,10 +47,7 @@ fn a01_far_and_tiny_spheres_are_hit_where_they_are_and_missed_where_they_are_not
     for distance in [1.0, 10.0, 1e3, 1e4, 1e5_f32] {
         for radius in [1e-3, 1.0, 1e3_f32] {
             let mut draw = Draw::new(1, radius.to_bits() ^ distance.to_bits());
-            let sphere = Sphere {
-                center: Vec3::ZERO,
-                radius,
-            };
+            let sphere = Sphere::new(Vec3::ZERO, radius);
             let ratio = distance / radius;
             // In f32 rays no finer aim than a few roundings of the distance exists.
             if ratio > 1.0 {
@@ -88,10 +85,7 @@ fn a02_the_ground_may_be_a_sphere_as_large_as_a_planet() {
     for radius in [1e3, 1e5, 1e7] {
         let (mut worst, mut plain) = (0.0_f64, 0.0_f64);
         let mut draw = Draw::new(2, 0);
-        let sphere = Sphere {
-            center: Vec3::new(0.0, -radius, 0.0),
-            radius,
-        };
+        let sphere = Sphere::new(Vec3::new(0.0, -radius, 0.0), radius);
         for _ in 0..100_000 {
             let origin = Vec3::new(draw.between(-1.0, 1.0), 1.0, draw.between(-1.0, 1.0));
             let down = Vec3::new(draw.between(-0.7, 0.7), -1.0, draw.between(-0.7, 0.7));

@@ -77,10 +77,7 @@ fn a09_shapes_that_cannot_be_told_apart() {
     let nested: Vec<Shape> = (0..10_000)
         .map(|_| {
             let radius = draw.power(-3.0, 1.0);
-            Shape::Sphere(Sphere {
-                center: Vec3::ONE,
-                radius,
-            })
+            Shape::Sphere(Sphere::new(Vec3::ONE, radius))
         })
         .collect();
     let nested_hits = compare("nested", &nested, rays(95, 1000, 20.0));

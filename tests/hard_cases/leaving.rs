@@ -45,7 +45,7 @@ fn a03_rays_that_leave_a_sphere_do_not_come_back() {
         let radius = draw.power(-4.0, 4.0);
         let place = radius * draw.power(-1.0, 3.0);
         let center = draw.cube(place);
-        let sphere = Sphere { center, radius };
+        let sphere = Sphere::new(center, radius);
         let away = radius * draw.between(2.0, 20.0);
         let from = center + draw.direction() * away;
         let ray = Draw::towards(from, center + draw.direction() * (radius * 0.9));
@@ -109,10 +109,7 @@ fn a04_self_intersection_far_from_the_origin_and_from_the_camera() {
                     let mut draw = Draw::new(5, i);
                     let center = draw.cube(1.0) + Vec3::new(1.0, -0.7, 0.4) * place;
                     let shape = match kind {
-                        0 => Shape::Sphere(Sphere {
-                            center,
-                            radius: 1.0,
-                        }),
+                        0 => Shape::Sphere(Sphere::new(center, 1.0)),
                         _ => draw.shape(kind, center, 1.0),
                     };
                     let (x, ray) = loop {
@@ -161,7 +158,7 @@ fn neighbours(kind: usize, place: f32, draw: &mut Draw) -> Option<[Shape; 2]> {
     if kind == 0 {
         let radius = place * 0.1;
         let outer = (f64::from(radius) + gap) as f32;
-        return Some([radius, outer].map(|radius| Shape::Sphere(Sphere { center, radius })));
+        return Some([radius, outer].map(|radius| Shape::Sphere(Sphere::new(center, radius))));
     }
     let (u, v) = n.any_orthonormal_pair();
     let [u, v] = [u, v].map(|e| e.as_dvec3() * f64::from(place));

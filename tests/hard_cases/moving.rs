@@ -140,12 +140,7 @@ fn a04_self_intersection_of_moving_shapes() {
 
 #[test]
 fn a09_motions_out_of_the_numbers_are_refused() {
-    let ball = |radius| {
-        Shape::Sphere(Sphere {
-            center: Vec3::ONE,
-            radius,
-        })
-    };
+    let ball = |radius| Shape::Sphere(Sphere::new(Vec3::ONE, radius));
     assert!(Moving::new(ball(1.0), Vec3::splat(1e30)).is_some());
     for motion in [f32::NAN, f32::INFINITY, f32::MAX] {
         assert!(

@@ -14,7 +14,7 @@ use std::f64::consts::{PI, TAU};
 
 fn lamp(center: Vec3, radius: f32) -> Light {
     Light::Sphere(SphereLight {
-        sphere: Sphere { center, radius },
+        sphere: Sphere::new(center, radius),
         radiance: Rgb::WHITE,
     })
 }

@@ -80,7 +80,7 @@ fn path_agrees_on_all_four_scenes() {
     for (name, spp, side) in [
         ("cornell", 512, 1),
         ("spheres", 2048, 8),
-        ("caustic", 2048, 4),
+        ("caustic", 2048, 16),
         ("mesh", 256, 1),
     ] {
         let scene = scene(name, |_| {});

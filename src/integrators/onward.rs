@@ -1,0 +1,95 @@
+//! How a path goes on from a surface: as its material scatters, or towards what focuses light.
+//!
+//! Two densities are mixed, and every direction counts by the mixture, whichever drew it: Veach,
+//! Guibas, Optimally Combining Sampling Techniques for Monte Carlo Rendering (SIGGRAPH 1995),
+//! "One-sample model". Where a point sees nothing specular only the material's is left, and no
+//! further number is drawn.
+
+use super::walkable::SolidPoint;
+use crate::color::Rgb;
+use crate::materials::Material;
+use crate::sampling::stream::Numbers;
+use crate::scene::{Scene, SeenCasters};
+use glam::Vec3;
+
+/// The share of rays that look towards mirrors and glass, where a point sees some.
+const TOWARDS_CASTERS: f32 = 0.5;
+
+/// A surface, and what it may look for.
+pub(super) struct Onward<'a> {
+    pub(super) at: &'a SolidPoint<'a>,
+    pub(super) material: Material,
+    seen: Option<SeenCasters>,
+}
+
+/// A direction drawn.
+pub(super) struct Step {
+    /// Unit, in world coordinates.
+    pub(super) direction: Vec3,
+    /// `f cos / pdf`.
+    pub(super) weight: Rgb,
+    /// In 1/sr; `None` for a perfectly specular direction.
+    pub(super) pdf: Option<f32>,
+}
+
+impl<'a> Onward<'a> {
+    pub(super) fn new(scene: &Scene, at: &'a SolidPoint<'a>, material: Material) -> Self {
+        let looks = !scene.casters.is_empty() && material.is_smooth();
+        let seen = looks.then(|| scene.casters.seen_from(at.hit.surface.p));
+        Onward {
+            at,
+            material,
+            seen: seen.filter(|seen| !seen.is_empty()),
+        }
+    }
+
+    /// Draws where the path goes on; `None` where it ends. `branch` decides who draws.
+    ///
+    /// Density: [`Onward::pdf`], in 1/sr.
+    pub(super) fn sample(&self, numbers: &mut Numbers, mut branch: Numbers) -> Option<Step> {
+        let (u, choice) = (numbers.two(), numbers.one());
+        let Some(seen) = &self.seen else {
+            let drawn = self.material.scatter(self.at.wo, choice, u)?;
+            return Some(Step {
+                direction: self.at.frame.to_world(drawn.wi).normalize(),
+                weight: drawn.weight,
+                pdf: drawn.pdf,
+            });
+        };
+        let (wi, direction) = if branch.one() < TOWARDS_CASTERS {
+            let direction = seen.sample(choice, u).normalize();
+            (self.at.frame.to_local(direction), direction)
+        } else {
+            let drawn = self.material.scatter(self.at.wo, choice, u)?;
+            let direction = self.at.frame.to_world(drawn.wi).normalize();
+            if drawn.pdf.is_none() {
+                return Some(Step {
+                    direction,
+                    weight: drawn.weight / (1.0 - TOWARDS_CASTERS),
+                    pdf: None,
+                });
+            }
+            (drawn.wi, direction)
+        };
+        let scattered = self.material.f(self.at.wo, wi) * wi.z.abs();
+        let pdf = self.pdf(wi, direction);
+        (!scattered.is_black() && pdf > 0.0).then(|| Step {
+            direction,
+            weight: scattered / pdf,
+            pdf: Some(pdf),
+        })
+    }
+
+    /// Density of [`Onward::sample`] at a direction that is not perfectly specular, given in local
+    /// and in world coordinates, in 1/sr.
+    pub(super) fn pdf(&self, wi: Vec3, direction: Vec3) -> f32 {
+        let by_material = self.material.pdf(self.at.wo, wi);
+        match &self.seen {
+            Some(seen) => {
+                let by_casters = seen.pdf(direction);
+                (1.0 - TOWARDS_CASTERS) * by_material + TOWARDS_CASTERS * by_casters
+            }
+            None => by_material,
+        }
+    }
+}
