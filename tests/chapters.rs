@@ -255,3 +255,67 @@ fn ch06_bending() {
         assert!((slope - law).abs() < within, "{name}: {slope}");
     }
 }
+
+#[test]
+fn ch09_one_ray() {
+    let data = check(env!("CARGO_BIN_EXE_ch09-one-ray"), "ch09");
+    for name in ["room", "noise", "edge_pixel"] {
+        near(&data, name);
+    }
+    let value = |name: &str| number(&data, name, "value");
+    assert!(value("apart").abs() <= 4.0, "trees and paths");
+    assert!(value("edge_worst") <= 4.0);
+    // Trees and paths were given the same rays, and the paths are less noisy.
+    assert!((value("tree_all") / value("paths_all") - 1.0).abs() < 0.02);
+    assert!(value("price_ratio") > 2.0);
+    for bounces in [2, 4] {
+        let rays = value(&format!("path_rays_{bounces}"));
+        assert_eq!(rays, f64::from(bounces + 1));
+    }
+    assert_eq!(value("tree_rays_4"), 69_905.0);
+    // At one point a shared ray is a ray saved.
+    assert!(value("split_point_16") < value("split_point_1"));
+    let forty = number(&data, "noise", "error");
+    assert!(
+        forty < 0.03 * value("noise"),
+        "known to three percent: {forty}"
+    );
+}
+
+#[test]
+fn ch12_aim_at_the_light() {
+    let data = check(env!("CARGO_BIN_EXE_ch12-aim-at-the-light"), "ch12");
+    for way in ["uniform", "cosine", "aim"] {
+        for angle in ["14", "1", "03", "01", "003", "001", "0003"] {
+            near(&data, &format!("{way}_{angle}"));
+        }
+        near(&data, &format!("solid_{way}_03"));
+        near(&data, &format!("solid_{way}_01"));
+    }
+    let value = |name: &str| number(&data, name, "value");
+    for name in ["slope_uniform", "slope_cosine"] {
+        near(&data, name);
+        assert!((value(name) + 1.0).abs() <= 0.03, "{name}: {}", value(name));
+    }
+    for name in [
+        "lamps_all",
+        "lamps_uniform",
+        "lamps_power",
+        "lamps_given",
+        "mirror_sphere",
+        "mirror_chance",
+        "floor_twice",
+    ] {
+        near(&data, name);
+    }
+    // The mistake is out of the right one's reach.
+    let off = value("floor_twice") - 1.0;
+    assert!(off > 8.0 * number(&data, "floor_twice", "error"), "{off}");
+    // The image of a point lamp is missing, and nothing else is.
+    let direct = value("mirror_point") / value("mirror_direct");
+    assert!((direct - 1.0).abs() < 1e-5, "{direct}");
+    assert!(value("mirror_image") > 0.1 * value("mirror_direct"));
+    assert_eq!(value("lamps_all_rays"), 10.0);
+    assert_eq!(value("lamps_power_rays"), 3.0);
+    assert!(value("gain") > 1e6);
+}

@@ -1,6 +1,7 @@
 //! All integration tests in one binary: it links once, and its last line counts them.
 #![allow(clippy::unwrap_used, clippy::expect_used)]
 
+mod aiming;
 mod chapters;
 mod checks;
 mod cli;

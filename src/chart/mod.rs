@@ -9,7 +9,7 @@
 //! * [`RayDrawing`] — walls, lamps and rays of the flat world, true to scale;
 //! * [`TreeDrawing`] — the tree of reflected and transmitted rays below one camera ray.
 //!
-//! [`flat`] fills in a [`RayDrawing`] from a flat world and the half disk over one of its points.
+//! [`walk`] draws the rays of a walk. [`flat`] fills in a [`RayDrawing`] from a flat world and the half disk over one of its points.
 //! Behind them: `canvas` (page, pens, letters), `area` (boxes, and where they hide least), `legend`
 //! (what the colours mean), `axis` and `ticks` (from values to places and words), and `plane` (the
 //! grid of a chart).
@@ -26,6 +26,7 @@ mod plane;
 mod rays;
 mod ticks;
 mod tree;
+pub mod walk;
 
 pub use axis::Axis;
 pub use bars::{Bar, BarChart, BarGroup};

@@ -15,6 +15,8 @@ const CHAPTERS: &[(&str, &str)] = &[
     ("ch05", "ch05-half-disk"),
     ("ch06", "ch06-bending"),
     ("ch07", "ch07-gather"),
+    ("ch09", "ch09-one-ray"),
+    ("ch12", "ch12-aim-at-the-light"),
 ];
 
 /// Run the chapters in order; write the gallery page and the ledger.

@@ -5,6 +5,8 @@
 //! * [`world`], [`worlds`], [`scene_world`]: where the gathering happens;
 //! * [`furnace`]: the reading every right estimator must give;
 //! * [`mistakes`], [`doctor`]: what wrong ones read, and how to tell;
+//! * [`walks`]: many walks along one ray; [`shrinking_lamp`]: chance and aim under a small lamp;
+//!   [`pick_one`]: one lamp of many; [`split`]: several paths from the first surface;
 //! * [`aperture`], [`two_ways`]: light that looks for the eye.
 
 pub mod aperture;
@@ -15,8 +17,12 @@ pub mod gather;
 pub mod hit_or_miss;
 pub mod many_dimensions;
 pub mod mistakes;
+pub mod pick_one;
 pub mod plane_world;
 pub mod scene_world;
+pub mod shrinking_lamp;
+pub mod split;
 pub mod two_ways;
+pub mod walks;
 pub mod world;
 pub mod worlds;

@@ -3,6 +3,7 @@
 use super::Picture;
 use crate::color::Rgb;
 use crate::stats::Estimate;
+use std::ops::Range;
 
 /// A pixel: an estimate for each channel.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -79,6 +80,17 @@ impl Film {
     /// The pixel in column `x` from the left and row `y` from the top.
     pub fn pixel(&self, x: u32, y: u32) -> &Pixel {
         &self.pixels[y as usize * self.width as usize + x as usize]
+    }
+
+    /// Some of its rows, as a picture of its own.
+    ///
+    /// # Panics
+    ///
+    /// Where there are no such rows.
+    #[must_use]
+    pub fn rows(&self, rows: Range<u32>) -> Film {
+        let [start, end] = [rows.start, rows.end].map(|row| row as usize * self.width as usize);
+        Film::new(self.width, self.pixels[start..end].to_vec())
     }
 
     /// The mean of the picture over pixels and channels, and its standard error.

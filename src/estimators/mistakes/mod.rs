@@ -5,6 +5,7 @@
 //! [`doctor`](super::doctor)); and the checks that accept the right estimator must reject each of
 //! these.
 
+pub mod count_twice;
 pub mod flat_only;
 mod readings;
 pub mod solid_only;

@@ -27,7 +27,8 @@ impl<'a> FlatWalk<'a> {
 /// A point of a flat world, with the normal on the side it was seen from.
 #[derive(Clone, Copy, Debug)]
 pub struct FlatPoint {
-    hit: FlatHit,
+    /// What the ray met.
+    pub hit: FlatHit,
 }
 
 /// Where a shadow ray ends.

@@ -1,0 +1,79 @@
+//! Several paths from the first surface on: something between a tree and a path.
+//!
+//! Simulates what [`NextEvent`](crate::integrators::NextEvent) simulates, with the same expected
+//! value. The ray from the eye is shared by all paths of a sample, and so is what it decides: where
+//! in its pixel it passes, and which surface it meets. More paths for each such ray average less of
+//! that, and save the ray.
+//!
+//! Source: Arvo, Kirk, Particle Transport and Image Synthesis (SIGGRAPH 1990), for splitting.
+
+use crate::color::Rgb;
+use crate::geometry;
+use crate::integrators::Integrator;
+use crate::integrators::walkable::{Walkable, ask_all};
+use crate::sampling::stream::Stream;
+use crate::scene::Tracer;
+use crate::space::{Ray, Solid, Space};
+
+/// Random walks with shadow rays that share their first segment.
+#[derive(Clone, Copy, Debug)]
+pub struct Split {
+    /// Paths from the first surface, at least 1.
+    pub paths: u32,
+    /// Longest path in segments, at least 1: the camera ray is the first.
+    pub max_depth: u32,
+}
+
+impl Split {
+    // ANCHOR: split
+    /// One estimate of the radiance along a ray from the eye.
+    pub fn walk<S: Space>(
+        &self,
+        world: &mut impl Walkable<S>,
+        ray: &Ray<S>,
+        stream: &Stream,
+    ) -> Rgb {
+        let met = world.follow(ray, 1);
+        let li = world.arriving(ray, met.as_ref());
+        let Some(first) = met else { return li };
+        let paths = (0..self.paths).map(|path| self.path_from(world, first, path, stream));
+        li + paths.sum::<Rgb>() * (1.0 / self.paths as f32)
+    }
+    // ANCHOR_END: split
+
+    /// What one path brings to the first surface and on to the eye.
+    fn path_from<S: Space, W: Walkable<S>>(
+        &self,
+        world: &mut W,
+        first: W::Point,
+        path: u32,
+        stream: &Stream,
+    ) -> Rgb {
+        let mut li = Rgb::BLACK;
+        let mut beta = Rgb::WHITE;
+        let mut here = first;
+        for depth in 2..=self.max_depth {
+            // As in a walk, the places of one path are 1, 2, 3 ...; those of the next come after.
+            let place = u64::from(path) * u64::from(self.max_depth) + u64::from(depth) - 1;
+            li += beta * ask_all(world, &here, place, stream);
+            let Some(step) = world.scatter(&here, place, stream) else {
+                break;
+            };
+            beta *= step.weight;
+            let met = world.follow(&step.ray, depth);
+            let asked = step.pdf.is_some() && world.pdf_aim(&here, &step.ray, met.as_ref()) > 0.0;
+            if !asked {
+                li += beta * world.arriving(&step.ray, met.as_ref());
+            }
+            let Some(next) = met else { break };
+            here = next;
+        }
+        li
+    }
+}
+
+impl Integrator for Split {
+    fn li(&self, tracer: &mut Tracer, ray: &geometry::Ray, stream: &Stream) -> Rgb {
+        self.walk::<Solid>(tracer, &ray.into(), stream)
+    }
+}

@@ -1,0 +1,271 @@
+//! Chance against aim: variances in closed form, many lamps, and what counts twice; several paths
+//! from one surface.
+
+use crate::checks::{accept, reject};
+use glam::Vec2;
+use halfdisk::color::Rgb;
+use halfdisk::estimators::mistakes::count_twice::CountTwice;
+use halfdisk::estimators::pick_one::PickOne;
+use halfdisk::estimators::shrinking_lamp::{self, Technique};
+use halfdisk::estimators::split::Split;
+use halfdisk::estimators::walks;
+use halfdisk::flatland::{self, FlatWorld, exact};
+use halfdisk::integrators::walkable::FlatWalk;
+use halfdisk::integrators::{Kajiya, NextEvent};
+use halfdisk::render::{Film, Options, render};
+use halfdisk::sampling::discrete::Discrete;
+use halfdisk::sampling::stream::Stream;
+use halfdisk::scene::gallery;
+use halfdisk::scene::read::Source;
+use halfdisk::space::{Flat, Ray};
+use halfdisk::stats::slope::Line;
+
+/// The variance of a technique, measured, with its distance from the law in standard errors.
+fn law(name: &str, (value, error): (f64, f64), exact: f64, percent: f64) -> f64 {
+    let z = (value - exact) / error;
+    println!("{name}: {value:.4e} ± {error:.1e}, exact {exact:.4e}, z {z:.2}");
+    assert!(z.abs() <= 4.4, "{name}: z = {z}");
+    assert!(
+        4.0 * error <= 0.01 * percent * exact,
+        "{name}: {percent} % must be noticed"
+    );
+    z
+}
+
+#[test]
+fn s0_03_chance_costs_a_half_pi_over_the_half_angle_and_aim_next_to_nothing() {
+    // Where 160 000 walks find the lamp, its variance is known to a quarter of a percent.
+    for a in [0.3, 0.1, 0.03] {
+        for technique in [Technique::Uniform, Technique::Cosine, Technique::Aim] {
+            let count = (160_000.0 / technique.finds_flat(a)) as u32;
+            let walks = shrinking_lamp::flat(technique, a, count, 5).unwrap();
+            accept(
+                &format!("{technique:?}, {a}"),
+                &walks.estimate,
+                libm::sin(a),
+                2.0 * libm::sin(a),
+            );
+            let (truth, exact) = (libm::sin(a), technique.exact_flat(a));
+            let name = format!("{technique:?}, {a}, variance");
+            law(&name, walks.relative_variance(truth), exact, 2.0);
+        }
+        // The laws are apart: neither would pass for the other.
+        let [uniform, cosine] = [Technique::Uniform, Technique::Cosine].map(|t| t.exact_flat(a));
+        assert!(uniform / cosine > 1.4);
+    }
+}
+
+#[test]
+fn the_variance_of_chance_falls_as_the_lamp_grows() {
+    for technique in [Technique::Uniform, Technique::Cosine] {
+        let points: Vec<(f64, f64)> = [0.03, 0.01, 0.003]
+            .map(|a| {
+                let count = (20_000.0 / technique.finds_flat(a)) as u32;
+                let walks = shrinking_lamp::flat(technique, a, count, 6).unwrap();
+                (a, walks.relative_variance(libm::sin(a)).0)
+            })
+            .to_vec();
+        let slope = Line::through(&points).unwrap().slope;
+        println!("{technique:?}: slope {slope:.4}");
+        assert!((slope + 1.0).abs() <= 0.03, "{technique:?}: {slope}");
+    }
+}
+
+#[test]
+fn spheres_in_space_are_found_by_the_square() {
+    for a in [0.6, 0.3, 0.1] {
+        for technique in [Technique::Uniform, Technique::Cosine, Technique::Aim] {
+            let count = match technique {
+                Technique::Aim => 400_000,
+                _ => (160_000.0 / (a * a)) as u32,
+            };
+            let walks = shrinking_lamp::solid(technique, a, count, 7).unwrap();
+            let truth = libm::sin(a) * libm::sin(a);
+            // π L (R / d)² of irradiance, of which a white floor reflects the share 1/π.
+            accept(
+                &format!("{technique:?}, {a}"),
+                &walks.estimate,
+                truth,
+                2.0 * truth,
+            );
+            let name = format!("{technique:?}, {a}, variance");
+            law(
+                &name,
+                walks.relative_variance(truth),
+                technique.exact_solid(a),
+                3.0,
+            );
+        }
+    }
+}
+
+fn world(text: &str) -> FlatWorld {
+    flatland::gallery::from_text(Source { file: "test", text }).unwrap()
+}
+
+/// Onto the middle of a floor.
+fn down() -> Ray<Flat> {
+    Ray {
+        origin: Vec2::new(-0.5, 0.25),
+        direction: Vec2::new(2.0, -1.0).normalize(),
+    }
+}
+
+#[test]
+fn a_lamp_that_counts_twice_is_refused() {
+    let lamp = flatland::load("lamp").unwrap();
+    let truth = 0.4 * exact::segment(1.0, [[-0.5, 1.0], [0.5, 1.0]].map(Into::into));
+    let read = |walk: &(dyn Fn(&mut FlatWalk, &Stream) -> Rgb + Sync)| {
+        walks::flat(&lamp, truth, 200_000, 8, walk).estimate
+    };
+    let max_depth = 2;
+    let right = read(&|world, stream| NextEvent { max_depth }.walk(world, &down(), stream));
+    accept("asked", &right, truth, truth);
+    let right = read(&|world, stream| Kajiya { max_depth }.walk(world, &down(), stream));
+    accept("by chance", &right, truth, 2.0 * truth);
+    let wrong = read(&|world, stream| CountTwice { max_depth }.walk(world, &down(), stream));
+    reject("asked and by chance", &wrong, truth);
+    accept("which is twice as much", &wrong, 2.0 * truth, 4.0 * truth);
+}
+
+#[test]
+fn one_lamp_of_many_stands_for_all() {
+    let text = "name = 'test'\n\
+                [[objects]]\nalbedo = 0.5\nsegment = { from = [-9, 0], to = [9, 0] }\n\
+                [[objects]]\nemits = 2\nsegment = { from = [-0.5, 1], to = [-1, 1] }\n\
+                [[objects]]\nemits = 5\ncircle = { center = [1.5, 2], radius = 0.2 }\n\
+                [[lamps]]\npoint = { position = [0, 1], power = 3 }";
+    let lamps = world(text);
+    let sum = exact::segment(2.0, [[-0.5, 1.0], [-1.0, 1.0]].map(Into::into))
+        + exact::circle(5.0, 0.2, 2.5, libm::atan2(1.5, 2.0))
+        + exact::lamp(3.0, [0.0, 1.0].into());
+    // Albedo one half, and the Lambert constant of the flat world.
+    let truth = 0.25 * sum;
+    for weights in [[1.0, 1.0, 1.0], [3.0, 1.0, 2.0], [0.2, 4.0, 1.0]] {
+        let choice = Discrete::new(weights).unwrap();
+        let one = PickOne {
+            max_depth: 2,
+            choice,
+        };
+        let walks = walks::flat(&lamps, truth, 200_000, 9, |world, stream| {
+            one.walk(world, &down(), stream)
+        });
+        accept(
+            &format!("one by {weights:?}"),
+            &walks.estimate,
+            truth,
+            3.0 * truth,
+        );
+        assert!(walks.rays_each() <= 3.0, "eye, lamp, walk: {walks:?}");
+    }
+    let forgetful = PickOne {
+        max_depth: 2,
+        choice: Discrete::new([1.0, 0.0, 1.0]).unwrap(),
+    };
+    let walks = walks::flat(&lamps, truth, 50_000, 9, |world, stream| {
+        forgetful.walk(world, &down(), stream)
+    });
+    // The lamp that nobody asks is missing: where a walk meets it, it was taken for asked.
+    reject("one lamp never asked", &walks.estimate, truth);
+    let all = walks::flat(&lamps, truth, 50_000, 9, |world, stream| {
+        NextEvent { max_depth: 2 }.walk(world, &down(), stream)
+    });
+    accept("all", &all.estimate, truth, truth);
+    assert_eq!(all.rays_each(), 5.0);
+}
+
+#[test]
+fn s0_16_a_path_has_one_ray_and_one_to_each_lamp_at_each_surface() {
+    // From everywhere in a convex room both lamps are to be seen.
+    let room = world(
+        "name = 'test'\n\
+         [[objects]]\nalbedo = 0.5\n\
+         polyline = { points = [[0, 0], [1, 0], [1, 1], [0, 1]], closed = true }\n\
+         [[lamps]]\npoint = { position = [0.4, 0.5], power = 1 }\n\
+         [[lamps]]\npoint = { position = [0.6, 0.7], power = 1 }",
+    );
+    let eye = Ray::<Flat> {
+        origin: Vec2::new(0.3, 0.2),
+        direction: Vec2::new(0.8, -0.6),
+    };
+    for depth in 1..=8_u32 {
+        let rays = |walk: &dyn Fn(&mut FlatWalk)| {
+            let mut world = FlatWalk::new(&room);
+            walk(&mut world);
+            world.rays
+        };
+        let stream = Stream::new(4, depth, 0);
+        let max_depth = depth;
+        let walk = rays(&|world| {
+            Kajiya { max_depth }.walk(world, &eye, &stream);
+        });
+        let asking = rays(&|world| {
+            NextEvent { max_depth }.walk(world, &eye, &stream);
+        });
+        let four = rays(&|world| {
+            Split {
+                paths: 4,
+                max_depth,
+            }
+            .walk(world, &eye, &stream);
+        });
+        let bounces = u64::from(depth - 1);
+        assert_eq!(walk, bounces + 1);
+        assert_eq!(asking, 1 + 3 * bounces);
+        assert_eq!(four, 1 + 4 * 3 * bounces);
+    }
+}
+
+#[test]
+fn paths_that_share_their_first_ray_paint_the_same_picture() {
+    let scene = gallery::load_with("spheres", |said| said.film.size = [12, 12]).unwrap();
+    let paint = |integrator: &dyn Fn(&Options) -> Film, spp, seed| {
+        integrator(&Options {
+            spp,
+            seed,
+            ..Options::default()
+        })
+    };
+    let max_depth = 6;
+    let right = paint(
+        &|o| render(&scene, &NextEvent { max_depth }, o, &()).film,
+        4096,
+        1,
+    );
+    // One path is the walk itself, number by number.
+    let one = paint(
+        &|o| {
+            render(
+                &scene,
+                &Split {
+                    paths: 1,
+                    max_depth,
+                },
+                o,
+                &(),
+            )
+            .film
+        },
+        64,
+        3,
+    );
+    let walk = paint(
+        &|o| render(&scene, &NextEvent { max_depth }, o, &()).film,
+        64,
+        3,
+    );
+    let ((a, _), (b, _)) = (one.mean(), walk.mean());
+    assert!((a - b).abs() <= 1e-6 * b, "{a} and {b}");
+    for paths in [2, 4, 16] {
+        let split = paint(
+            &|o| render(&scene, &Split { paths, max_depth }, o, &()).film,
+            4096 / paths,
+            2,
+        );
+        let ((a, a_error), (b, b_error)) = (split.mean(), right.mean());
+        let z = (a - b) / a_error.hypot(b_error);
+        println!("{paths} paths: {a:.5} and {b:.5}, z {z:.2}");
+        assert!(z.abs() <= 4.4, "{paths}: {z}");
+        assert!(a_error.hypot(b_error) < 0.01 * b);
+    }
+}
