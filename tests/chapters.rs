@@ -319,3 +319,45 @@ fn ch12_aim_at_the_light() {
     assert_eq!(value("lamps_power_rays"), 3.0);
     assert!(value("gain") > 1e6);
 }
+
+#[test]
+fn ch13_combine() {
+    let data = check(env!("CARGO_BIN_EXE_ch13-combine"), "ch13");
+    let value = |name: &str| number(&data, name, "value");
+    for size in [1, 2, 5, 10, 20, 30, 50, 70, 90, 110, 130, 150] {
+        let [chance, aiming, balance, power] =
+            ["chance", "aiming", "balance", "power"].map(|way| {
+                let name = format!("variance_{way}_{size}");
+                let [value, exact, error] =
+                    ["value", "exact", "error"].map(|p| number(&data, &name, p));
+                let z = (value - exact) / error;
+                assert!(z.abs() <= 4.0, "{name}: {value} for {exact}, z = {z}");
+                value
+            });
+        let bound = value(&format!("bound_{size}"));
+        assert!(balance <= bound && power <= bound, "{size}");
+        assert!(balance.max(power) <= chance.max(aiming), "{size}");
+    }
+    assert!(value("largest_z") <= 4.0);
+    for way in ["chance", "aiming", "balance"] {
+        for size in [3, 100, 150] {
+            near(&data, &format!("length_{way}_{size}"));
+        }
+    }
+    for (way, albedo) in [("chance", 50), ("aiming", 50), ("both", 50), ("both", 75)] {
+        let name = format!("furnace_{way}_{albedo}");
+        let [value, exact, error] = ["value", "exact", "error"].map(|p| number(&data, &name, p));
+        assert!(
+            (value - exact).abs() <= 4.0 * error + 1e-5,
+            "{name}: {value}"
+        );
+    }
+    for slip in ["twice", "density", "one", "both", "selection"] {
+        near(&data, &format!("slip_{slip}"));
+        let z = value(&format!("slip_z_{slip}")).abs();
+        assert_eq!(z > 4.4, slip != "both", "{slip}: {z}");
+    }
+    // Combined walks beat both techniques where there is something of everything.
+    let price = |way: &str| value(&format!("plates_variance_{way}"));
+    assert!(price("power") < price("chance") && price("power") < price("aiming"));
+}

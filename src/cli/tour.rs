@@ -17,6 +17,7 @@ const CHAPTERS: &[(&str, &str)] = &[
     ("ch07", "ch07-gather"),
     ("ch09", "ch09-one-ray"),
     ("ch12", "ch12-aim-at-the-light"),
+    ("ch13", "ch13-combine"),
 ];
 
 /// Run the chapters in order; write the gallery page and the ledger.

@@ -7,7 +7,9 @@
 //! * [`mistakes`], [`doctor`]: what wrong ones read, and how to tell;
 //! * [`walks`]: many walks along one ray; [`shrinking_lamp`]: chance and aim under a small lamp;
 //!   [`pick_one`]: one lamp of many; [`split`]: several paths from the first surface;
-//! * [`aperture`], [`two_ways`]: light that looks for the eye.
+//! * [`aperture`], [`two_ways`]: light that looks for the eye;
+//! * [`overhead`]: one lamp found by chance, by aiming, by both;
+//! * [`survival`]: walks that end by chance, and what that costs.
 
 pub mod aperture;
 pub mod directions;
@@ -17,11 +19,13 @@ pub mod gather;
 pub mod hit_or_miss;
 pub mod many_dimensions;
 pub mod mistakes;
+pub mod overhead;
 pub mod pick_one;
 pub mod plane_world;
 pub mod scene_world;
 pub mod shrinking_lamp;
 pub mod split;
+pub mod survival;
 pub mod two_ways;
 pub mod walks;
 pub mod world;

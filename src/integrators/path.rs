@@ -93,7 +93,8 @@ impl Integrator for Path {
             // Does the path go on? If so, it also stands for those that did not.
             if depth >= self.roulette_from {
                 let q = beta.max_channel().clamp(LEAST_SURVIVAL, MOST_SURVIVAL);
-                if numbers.one() >= q {
+                let survives = numbers.one() < q;
+                if !survives {
                     break;
                 }
                 beta = beta / q;

@@ -69,9 +69,11 @@ impl Roulette {
             beta *= step.weight;
             ray = step.ray;
 
-            // Does the path go on? If so, it also stands for those that did not.
+            // Does the path go on? If so, it also stands for those that did not. No number is below
+            // a probability that is none, so a broken path ends here, too.
             let q = self.survival.probability(beta);
-            if stream.at(place, Purpose::Survival).one() >= q {
+            let survives = stream.at(place, Purpose::Survival).one() < q;
+            if !survives {
                 break;
             }
             beta = beta / q;

@@ -34,6 +34,18 @@ impl Heuristic {
             Heuristic::Power => 1.0 / (1.0 + ratio * ratio),
         }
     }
+
+    /// The same weight in double precision, for quadratures.
+    pub fn weight_f64(self, own: f64, other: f64) -> f64 {
+        if own == 0.0 {
+            return 0.0;
+        }
+        let ratio = other / own;
+        match self {
+            Heuristic::Balance => 1.0 / (1.0 + ratio),
+            Heuristic::Power => 1.0 / (1.0 + ratio * ratio),
+        }
+    }
 }
 
 #[cfg(test)]

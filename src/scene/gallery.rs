@@ -38,6 +38,11 @@ pub const GALLERY: &[(&str, &str)] = &[
         include_str!("../../examples/scenes/splitter.toml"),
     ),
     ("tunnel", include_str!("../../examples/scenes/tunnel.toml")),
+    (
+        "furnace",
+        include_str!("../../examples/scenes/furnace.toml"),
+    ),
+    ("veach", include_str!("../../examples/scenes/veach.toml")),
 ];
 
 /// The text of a gallery scene.

@@ -1,12 +1,13 @@
 //! The classic mistakes, kept: each a complete estimator with one thing wrong.
 //!
-//! All of them estimate what a white sky makes a surface reflect, where the right answer is the
+//! Nearly all of them estimate what a white sky makes a surface reflect, where the right answer is the
 //! albedo. What they read instead is known exactly, so a reading names its mistake (see
 //! [`doctor`](super::doctor)); and the checks that accept the right estimator must reject each of
-//! these.
+//! these. Those of [`misled`] are walks that combine two techniques with wrong weights.
 
 pub mod count_twice;
 pub mod flat_only;
+pub mod misled;
 mod readings;
 pub mod solid_only;
 pub mod variants;

@@ -1,0 +1,185 @@
+//! Roulette in a furnace: everything about it is known.
+//!
+//! In a closed furnace of radiance 1 and albedo `ρ` a walk that survives each surface with
+//! probability `q` is worth `S = 1 + r + r² + … + rᴷ` with `r = ρ/q`, where it survives `K` surfaces
+//! with probability `qᴷ (1 - q)`. The mean of `S` is `1 / (1 - ρ)` for every `q`; its variance is
+//! not the same for every `q`, nor finite for every `q`.
+
+use crate::color::Rgb;
+use crate::integrators::walkable::{Aimed, Step, Walkable};
+use crate::sampling::stream::Stream;
+use crate::space::{Ray, Space};
+use glam::Vec2;
+
+/// Roulette with a constant survival in a furnace.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Game {
+    /// The share of light the walls reflect, in `(0, 1)`.
+    pub albedo: f64,
+    /// The probability to survive each surface, in `(0, 1)`.
+    pub survival: f64,
+}
+
+impl Game {
+    /// The mean of a walk, `1 / (1 - ρ)`.
+    pub fn mean(&self) -> f64 {
+        1.0 / (1.0 - self.albedo)
+    }
+
+    // ANCHOR: variance
+    /// The variance of a walk: `(1 + ρ) / (1 - ρ) / (1 - ρ²/q)` less the squared mean; infinite for
+    /// `q <= ρ²`.
+    pub fn variance(&self) -> f64 {
+        let (albedo, q) = (self.albedo, self.survival);
+        if q <= albedo * albedo {
+            return f64::INFINITY;
+        }
+        let square = (1.0 + albedo) / (1.0 - albedo) / (1.0 - albedo * albedo / q);
+        square - self.mean() * self.mean()
+    }
+    // ANCHOR_END: variance
+
+    /// The mean number of segments of a walk, `1 / (1 - q)`.
+    pub fn rays(&self) -> f64 {
+        1.0 / (1.0 - self.survival)
+    }
+
+    /// Variance times rays: the price of certainty.
+    pub fn price(&self) -> f64 {
+        self.variance() * self.rays()
+    }
+
+    /// The value of a walk that survives `surfaces` of them.
+    pub fn value(&self, surfaces: u32) -> f64 {
+        let ratio = self.albedo / self.survival;
+        (0..surfaces).fold(1.0, |sum, _| 1.0 + ratio * sum)
+    }
+
+    /// The mean of `f` over walks that survive fewer than `surfaces`; longer ones count as zero.
+    pub fn mean_of(&self, surfaces: u32, f: impl Fn(f64) -> f64) -> f64 {
+        let mut chance = 1.0 - self.survival;
+        let mut value = 1.0;
+        let mut sum = 0.0;
+        for _ in 0..surfaces {
+            sum += chance * f(value);
+            chance *= self.survival;
+            value = 1.0 + self.albedo / self.survival * value;
+        }
+        sum
+    }
+
+    /// The mean of walks of which none may be worth more than `most`.
+    pub fn clamped(&self, most: f64) -> f64 {
+        self.mean_of(10_000, |value| value.min(most))
+    }
+}
+
+/// A closed furnace without shapes to walk in: whatever the ray, it meets a wall of radiance 1.
+#[derive(Clone, Copy, Debug)]
+pub struct Furnace {
+    /// The share of light the walls reflect.
+    pub albedo: Rgb,
+    /// Rays so far.
+    pub rays: u64,
+}
+
+impl Furnace {
+    /// The furnace, with no ray followed.
+    pub fn new(albedo: f32) -> Self {
+        Furnace {
+            albedo: Rgb::grey(albedo),
+            rays: 0,
+        }
+    }
+
+    /// Any ray will do.
+    pub fn eye<S: Space>() -> Ray<S> {
+        Ray {
+            origin: S::from_plane(Vec2::ZERO),
+            direction: S::from_plane(Vec2::Y),
+        }
+    }
+}
+
+impl<S: Space> Walkable<S> for Furnace {
+    type Point = ();
+
+    fn follow(&mut self, _: &Ray<S>, _: u32) -> Option<()> {
+        self.rays += 1;
+        Some(())
+    }
+
+    fn arriving(&self, _: &Ray<S>, _: Option<&()>) -> Rgb {
+        Rgb::WHITE
+    }
+
+    fn scatter(&self, (): &(), _: u64, _: &Stream) -> Option<Step<S>> {
+        Some(Step {
+            ray: Furnace::eye(),
+            weight: self.albedo,
+            pdf: None,
+        })
+    }
+
+    fn lamps(&self) -> usize {
+        0
+    }
+
+    fn aim(&mut self, (): &(), _: usize, _: u64, _: &Stream) -> Option<Aimed> {
+        None
+    }
+
+    fn pdf_aim(&self, (): &(), _: &Ray<S>, _: Option<&()>) -> f32 {
+        0.0
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_closed_forms_are_sums_over_all_walks() {
+        for albedo in [0.3, 0.5, 0.8, 0.9] {
+            for survival in [0.5, 0.65, 0.8, 0.85, 0.9, 0.95] {
+                let game = Game { albedo, survival };
+                let mean = game.mean_of(5000, |s| s);
+                assert!((mean / game.mean() - 1.0).abs() < 1e-9, "{game:?}: {mean}");
+                if survival > albedo * albedo {
+                    let square = game.mean_of(5000, |s| s * s);
+                    let variance = square - mean * mean;
+                    assert!((variance / game.variance() - 1.0).abs() < 1e-7, "{game:?}");
+                } else {
+                    assert_eq!(game.variance(), f64::INFINITY);
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn known_variances() {
+        for (albedo, survival, known) in [
+            (0.8, 0.65, 560.0),
+            (0.8, 0.8, 20.0),
+            (0.8, 0.9, 6.15),
+            (0.8, 0.95, 2.58),
+            (0.9, 0.85, 303.75),
+            (0.9, 0.9, 90.0),
+            (0.9, 0.95, 28.93),
+            (0.9, 0.99, 4.5),
+        ] {
+            let game = Game { albedo, survival };
+            assert!((game.variance() / known - 1.0).abs() < 2e-3, "{game:?}");
+        }
+    }
+
+    #[test]
+    fn values_of_walks() {
+        let game = Game {
+            albedo: 0.8,
+            survival: 0.4,
+        };
+        assert_eq!([0, 1, 2, 3].map(|k| game.value(k)), [1.0, 3.0, 7.0, 15.0]);
+        assert!(game.clamped(1.0) > 0.999_999 && game.clamped(7.0) < game.mean());
+    }
+}
