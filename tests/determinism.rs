@@ -145,6 +145,8 @@ fn scale(said: &mut Description, s: f64) {
     let point = |p: &mut Exactly<f64, 3>| p.0 = p.0.map(|x| x * s);
     point(&mut said.camera.from);
     point(&mut said.camera.to);
+    said.camera.lens_radius *= s;
+    said.camera.focus = said.camera.focus.map(|f| f * s);
     for light in &mut said.lights {
         if let Some(l) = &mut light.point {
             point(&mut l.position);
@@ -172,6 +174,7 @@ fn scale(said: &mut Description, s: f64) {
             point(&mut o.center);
             o.radius *= s;
         }
+        object.motion.as_mut().map(point);
         if let Some(t) = object.transform.as_mut().and_then(|t| t.translate.as_mut()) {
             point(t);
         }

@@ -15,6 +15,7 @@ mod ladder;
 mod lights;
 mod materials;
 mod mistakes;
+mod motion;
 mod mutations;
 mod notation;
 mod path;

@@ -81,9 +81,9 @@ impl World<Solid> for SceneWorld<'_, '_> {
             n: at.n,
         };
         let mut irradiance = Rgb::BLACK;
-        for (i, light) in self.tracer.scene().lights.iter().enumerate() {
+        for i in 0..self.tracer.scene().lights.len() {
             let u = stream.at_item(node, Purpose::LightPoint, i as u32).two();
-            let Some(sample) = light.sample(&from, u) else {
+            let Some(sample) = self.tracer.sample_light(i, &from, u) else {
                 continue;
             };
             let LightSample { wi, incident, .. } = sample;

@@ -76,11 +76,7 @@ impl Shape {
                 ..*s
             }),
             Shape::Quad(q) => Shape::Quad(q.moved(by)),
-            Shape::Triangle(t) => Shape::Triangle(Triangle {
-                a: t.a + by,
-                b: t.b + by,
-                c: t.c + by,
-            }),
+            Shape::Triangle(t) => Shape::Triangle(t.moved(by)),
         }
     }
 

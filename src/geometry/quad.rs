@@ -49,7 +49,7 @@ impl Quad {
 
     /// How far the corners may be from a common plane after they were moved, where those of the
     /// quad before were rounded once: a rounding of each.
-    pub(super) fn bend(&self, moved: &Quad) -> Vec3 {
+    pub fn bend(&self, moved: &Quad) -> Vec3 {
         (self.size() + moved.size()) * gamma(2)
     }
 

@@ -32,6 +32,16 @@ impl Triangle {
         n.is_finite() && n.length_squared() > 0.0
     }
 
+    /// The triangle moved by a vector, each corner rounded once.
+    #[must_use]
+    pub fn moved(&self, by: Vec3) -> Triangle {
+        Triangle {
+            a: self.a + by,
+            b: self.b + by,
+            c: self.c + by,
+        }
+    }
+
     /// Area in square scene units.
     pub fn area(&self) -> f64 {
         0.5 * self.cross_product().length()

@@ -122,7 +122,7 @@ fn arriving(tracer: &Tracer, ray: &Ray, hit: Option<&Hit>, drawn: Drawn) -> Rgb 
         (Some((from, pdf)), Some(index)) if !radiance.is_black() => {
             let at = hit.map(|hit| &hit.surface);
             let pdf_aim = scene.light_choice.probability(index)
-                * scene.lights[index].pdf(&from, ray.direction, at);
+                * tracer.pdf_light(index, &from, ray.direction, at);
             radiance * Heuristic::Power.weight(pdf, pdf_aim)
         }
         _ => radiance,
@@ -137,7 +137,7 @@ fn aim(tracer: &mut Tracer, onward: &Onward, mut numbers: Numbers) -> Rgb {
     let Some((index, probability)) = scene.light_choice.choose(pick) else {
         return Rgb::BLACK;
     };
-    let Some(sample) = scene.lights[index].sample(&at.hit.surface, u) else {
+    let Some(sample) = tracer.sample_light(index, &at.hit.surface, u) else {
         return Rgb::BLACK;
     };
     let wi = at.frame.to_local(sample.wi);

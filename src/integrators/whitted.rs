@@ -116,9 +116,9 @@ pub fn direct_light(tracer: &mut Tracer, ray: &Ray, hit: &Hit, node: u64, stream
     let frame = Frame::new(hit.surface.n);
     let wo = frame.to_local(-ray.direction);
     let mut light_out = Rgb::BLACK;
-    for (i, light) in tracer.scene().lights.iter().enumerate() {
+    for i in 0..tracer.scene().lights.len() {
         let u = stream.at_item(node, Purpose::LightPoint, i as u32).two();
-        let Some(sample) = light.sample(&hit.surface, u) else {
+        let Some(sample) = tracer.sample_light(i, &hit.surface, u) else {
             continue;
         };
         let wi = frame.to_local(sample.wi);

@@ -32,10 +32,20 @@ impl MeshLight {
     ///
     /// Density: `d² / (A cos θ_light)` with the area `A` of the whole mesh, in 1/sr.
     pub fn sample(&self, from: &Surface, u: [f32; 2]) -> Option<LightSample> {
+        self.sample_moved(Vec3::ZERO, from, u)
+    }
+
+    /// [`MeshLight::sample`] of the light moved by a vector.
+    pub(super) fn sample_moved(
+        &self,
+        by: Vec3,
+        from: &Surface,
+        u: [f32; 2],
+    ) -> Option<LightSample> {
         let choice = self.by_area.sample(u[0]);
         let u = [choice.rest, u[1]];
-        let triangle = &self.triangles[choice.index];
-        sample_by_area(triangle, self.area(), self.radiance, from, u)
+        let triangle = self.triangles[choice.index].moved(by);
+        sample_by_area(&triangle, self.area(), self.radiance, from, u)
     }
 
     /// Density of [`MeshLight::sample`] in 1/sr, of the point `at` in the direction `wi`.

@@ -4,6 +4,7 @@ mod choice;
 mod delta;
 mod environment;
 mod mesh;
+mod moved;
 mod quad;
 mod sphere;
 mod triangle;

@@ -25,11 +25,28 @@ impl QuadLight {
     ///
     /// Density: `1 / Ω`, in 1/sr; else as [`QuadLight::sample_area`].
     pub fn sample(&self, from: &Surface, u: [f32; 2]) -> Option<LightSample> {
+        self.sample_bent(Vec3::ZERO, from, u)
+    }
+
+    /// [`QuadLight::sample`] of the light moved by a vector, whose corners rounded anew bend it.
+    pub(super) fn sample_moved(
+        &self,
+        by: Vec3,
+        from: &Surface,
+        u: [f32; 2],
+    ) -> Option<LightSample> {
+        let there = self.moved(by);
+        there.sample_bent(self.quad.bend(&there.quad), from, u)
+    }
+
+    /// [`QuadLight::sample`] of a quad whose corners are off their plane by up to `bend`.
+    fn sample_bent(&self, bend: Vec3, from: &Surface, u: [f32; 2]) -> Option<LightSample> {
         let Some(seen) = self.seen_from(from) else {
-            return self.sample_area(from, u);
+            return self.sample_area_bent(bend, from, u);
         };
         let [s, t] = seen.place(seen.rectangle.sample(u));
-        towards(from, &self.quad.surface_at(s, t), self.radiance, |_| {
+        let target = self.bent_surface(bend, s, t);
+        towards(from, &target, self.radiance, |_| {
             seen.rectangle.pdf() as f32
         })
     }
@@ -39,10 +56,20 @@ impl QuadLight {
     ///
     /// Density: `d² / (A cos θ_light)`, in 1/sr.
     pub fn sample_area(&self, from: &Surface, u: [f32; 2]) -> Option<LightSample> {
-        let target = self.quad.surface_at(u[0], u[1]);
+        self.sample_area_bent(Vec3::ZERO, from, u)
+    }
+
+    fn sample_area_bent(&self, bend: Vec3, from: &Surface, u: [f32; 2]) -> Option<LightSample> {
+        let target = self.bent_surface(bend, u[0], u[1]);
         towards(from, &target, self.radiance, |wi| {
             pdf_by_area(f64::from(self.quad.area()), from, wi, &target)
         })
+    }
+
+    fn bent_surface(&self, bend: Vec3, s: f32, t: f32) -> Surface {
+        let mut surface = self.quad.surface_at(s, t);
+        surface.error += bend;
+        surface
     }
 
     /// Density of [`QuadLight::sample`] in 1/sr, in the direction `wi` that meets the light in `at`.

@@ -165,6 +165,9 @@ impl Tile {
                 let [u, v] = stream.at(0, Purpose::Pixel).two();
                 let s = (x as f32 + u) / width as f32;
                 let t = (y as f32 + v) / height as f32;
+                if scene.moves() {
+                    tracer.at_time(stream.at(0, Purpose::Time).one());
+                }
                 let ray = scene.camera.sample_ray(s, t, &stream);
                 let li = integrator.li(&mut tracer, &ray, &stream);
                 if li.is_finite() {

@@ -4,6 +4,7 @@ mod materials;
 
 use super::description::{self as said, Description};
 use super::field::{self, Checked, Field, exactly_one};
+use super::motion::{self, Shutter};
 use super::placement::Placement;
 use super::{BuildReport, Casters, Object, Scene, Suggested, lamps, mesh_file, procedural};
 use crate::camera::{Camera, Lens};
@@ -34,13 +35,15 @@ pub fn build(said: &Description, folder: Option<&Path>) -> Checked<Scene> {
         spp: field::whole(&render.key("spp"), said.render.spp, 1, 1 << 24)?,
     };
     let (background, environment) = lamps::environment(&top, said, folder)?;
+    let shutter = Shutter::new(&top.key("camera").key("shutter"), said.camera.shutter)?;
     let mut parts = Parts {
         origin,
         folder,
+        shutter,
         materials: materials::all(&top.key("materials"), &said.materials)?,
-        shapes: Vec::new(),
-        object_of_shape: Vec::new(),
+        all: Vec::new(),
         objects: Vec::new(),
+        spans: Vec::new(),
         lights: Vec::new(),
         degenerate_triangles: 0,
     };
@@ -52,6 +55,10 @@ pub fn build(said: &Description, folder: Option<&Path>) -> Checked<Scene> {
     }
     let environment_light = environment.is_some().then_some(parts.lights.len());
     parts.lights.extend(environment);
+    let radius = motion::radius(&parts.all, &parts.spans);
+    let count = parts.all.len();
+    let (shapes, object_of_shape, in_motion) =
+        motion::part(parts.all, &parts.objects, &parts.spans, parts.lights.len());
     Ok(Scene {
         name: said.name.clone(),
         about: said.about.clone(),
@@ -59,18 +66,19 @@ pub fn build(said: &Description, folder: Option<&Path>) -> Checked<Scene> {
         size,
         background,
         environment_light,
-        light_choice: LightChoice::by_power(&parts.lights, lamps::radius(&parts.shapes)),
+        light_choice: LightChoice::by_power(&parts.lights, radius),
         lights: parts.lights,
         casters: Casters::new(&parts.objects, &parts.shapes, &parts.object_of_shape),
         suggested,
         report: BuildReport {
-            shapes: parts.shapes.len(),
+            shapes: count,
             degenerate_triangles: parts.degenerate_triangles,
             time: Duration::ZERO,
         },
         objects: parts.objects,
-        object_of_shape: parts.object_of_shape,
-        bvh: Bvh::new(&parts.shapes),
+        object_of_shape,
+        bvh: Bvh::new(&shapes),
+        in_motion,
     })
 }
 
@@ -128,10 +136,13 @@ pub(super) struct Parts<'a> {
     /// The camera's place: all coordinates become relative to it.
     origin: DVec3,
     folder: Option<&'a Path>,
+    shutter: Shutter,
     materials: BTreeMap<String, Material>,
-    pub(super) shapes: Vec<Shape>,
-    pub(super) object_of_shape: Vec<u32>,
+    /// All shapes, where they are when the shutter opens, and the objects they belong to.
+    pub(super) all: Vec<(Shape, u32)>,
     pub(super) objects: Vec<Object>,
+    /// The way of each object while the shutter is open.
+    spans: Vec<Vec3>,
     pub(super) lights: Vec<Light>,
     degenerate_triangles: usize,
 }
@@ -163,12 +174,15 @@ impl Parts<'_> {
         if material.is_none() && emission.is_none() {
             return Err(field.problem("needs a `material`, or `emits`, or both"));
         }
+        let way = self.shutter.way(&field.key("motion"), said.motion)?;
         let place = Placement::new(&field.key("transform"), said.transform.as_ref())?;
-        let shapes = self.shapes(field, said, &place)?;
+        let shapes = self.shapes(field, said, &place.shifted(way.start))?;
+        way.check(&field.key("motion"), &shapes)?;
         match emission {
             Some(radiance) => self.push_lamp(shapes, material, radiance),
             None => self.push(shapes, material, None),
         }
+        self.spans.resize(self.objects.len(), way.span);
         Ok(())
     }
 

@@ -85,6 +85,13 @@ pub struct Camera {
     pub lens_radius: f64,
     /// Distance of what is sharp, along the direction of view; the point looked at, if not given.
     pub focus: Option<f64>,
+    /// When the shutter opens and when it closes, in units of time.
+    #[serde(default = "never_open")]
+    pub shutter: Exactly<f64, 2>,
+}
+
+fn never_open() -> Exactly<f64, 2> {
+    Exactly([0.0, 0.0])
 }
 
 fn up() -> Triple {
@@ -120,6 +127,8 @@ pub struct Object {
     pub emits: Option<Color>,
     /// Where the shape is put.
     pub transform: Option<Transform>,
+    /// How far it moves in a unit of time; at time 0 it is where its shape is put.
+    pub motion: Option<Triple>,
     /// A sphere.
     pub sphere: Option<Sphere>,
     /// A parallelogram.

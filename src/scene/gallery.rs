@@ -27,6 +27,8 @@ pub const GALLERY: &[(&str, &str)] = &[
         "mixture",
         include_str!("../../examples/scenes/mixture.toml"),
     ),
+    ("lens", include_str!("../../examples/scenes/lens.toml")),
+    ("motion", include_str!("../../examples/scenes/motion.toml")),
     (
         "whitted",
         include_str!("../../examples/scenes/whitted.toml"),

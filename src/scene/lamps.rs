@@ -6,7 +6,7 @@ use super::description as said;
 use super::field::{self, Checked, Field, exactly_one};
 use super::image_file;
 use crate::color::Rgb;
-use crate::geometry::{Aabb, Shape};
+use crate::geometry::Shape;
 use crate::lights::{
     DirectionalLight, EnvironmentLight, Light, MeshLight, PointLight, QuadLight, SphereLight,
     TriangleLight,
@@ -87,17 +87,8 @@ impl Parts<'_> {
             emission: emission.unwrap_or_default(),
             light: index,
         });
-        self.object_of_shape
-            .extend(std::iter::repeat_n(object, shapes.len()));
-        self.shapes.extend(shapes);
+        self.all.extend(shapes.into_iter().map(|s| (s, object)));
     }
-}
-
-/// Radius of a sphere around all shapes; 0 where there are none.
-pub(super) fn radius(shapes: &[Shape]) -> f32 {
-    let around = shapes.iter().map(Shape::bounds).reduce(Aabb::union);
-    let diagonal = around.map(|b| b.max.as_dvec3() - b.min.as_dvec3());
-    diagonal.map_or(0.0, |d| 0.5 * d.length()) as f32
 }
 
 /// Pixels an environment may have: each takes 20 bytes.

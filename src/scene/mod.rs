@@ -12,6 +12,7 @@ pub mod gallery;
 pub mod image_file;
 mod lamps;
 mod mesh_file;
+mod motion;
 mod placement;
 mod procedural;
 pub mod read;
@@ -28,6 +29,7 @@ use crate::geometry::Bvh;
 use crate::lights::{Light, LightChoice};
 use crate::materials::Material;
 use glam::Vec3;
+use motion::InMotion;
 use std::time::Duration;
 
 /// A scene ready to be rendered.
@@ -64,9 +66,16 @@ pub struct Scene {
     /// For each shape of the hierarchy the object it belongs to.
     object_of_shape: Vec<u32>,
     bvh: Bvh,
+    /// What moves; `None` for most scenes.
+    in_motion: Option<InMotion>,
 }
 
 impl Scene {
+    /// True where anything moves while the shutter is open.
+    pub fn moves(&self) -> bool {
+        self.in_motion.is_some()
+    }
+
     /// Radiance along a ray that leaves the scene in the unit `direction`.
     pub fn background(&self, direction: Vec3) -> Rgb {
         match self.environment_light.and_then(|i| self.lights.get(i)) {

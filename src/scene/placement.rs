@@ -44,6 +44,14 @@ impl Placement {
         })
     }
 
+    /// The same place, shifted further.
+    pub(super) fn shifted(self, by: DVec3) -> Self {
+        Placement {
+            shift: self.shift + by,
+            ..self
+        }
+    }
+
     pub(super) fn vector(&self, v: DVec3) -> DVec3 {
         self.linear * v
     }

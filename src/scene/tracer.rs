@@ -3,6 +3,7 @@
 use super::{Object, Scene};
 use crate::color::Rgb;
 use crate::geometry::{Ray, Surface};
+use crate::lights::LightSample;
 use glam::Vec3;
 use std::ops::AddAssign;
 
@@ -54,18 +55,21 @@ impl Hit<'_> {
     }
 }
 
-/// A view of a scene that counts the rays it is asked for.
+/// A view of a scene at one moment, which counts the rays it is asked for.
 #[derive(Debug)]
 pub struct Tracer<'a> {
     scene: &'a Scene,
+    /// From 0, where the shutter opens, to 1, where it closes.
+    time: f32,
     counts: RayCounts,
 }
 
 impl<'a> Tracer<'a> {
-    /// A view with all counters at zero.
+    /// A view at the moment the shutter opens, with all counters at zero.
     pub fn new(scene: &'a Scene) -> Self {
         Tracer {
             scene,
+            time: 0.0,
             counts: RayCounts::default(),
         }
     }
@@ -73,6 +77,13 @@ impl<'a> Tracer<'a> {
     /// The scene.
     pub fn scene(&self) -> &'a Scene {
         self.scene
+    }
+
+    /// Looks at the scene at `time` from now on: in `[0, 1]`, 0 where the shutter opens and 1 where
+    /// it closes.
+    pub fn at_time(&mut self, time: f32) {
+        debug_assert!((0.0..=1.0).contains(&time), "{time}");
+        self.time = time;
     }
 
     /// The rays asked for so far.
@@ -83,30 +94,72 @@ impl<'a> Tracer<'a> {
     /// What a ray from the camera meets.
     pub fn camera_ray(&mut self, ray: &Ray) -> Option<Hit<'a>> {
         self.counts.camera += 1;
-        self.scene.first_hit(ray)
+        self.first_hit(ray)
     }
 
     /// What a ray that left a surface meets.
     pub fn secondary_ray(&mut self, ray: &Ray) -> Option<Hit<'a>> {
         self.counts.secondary += 1;
-        self.scene.first_hit(ray)
+        self.first_hit(ray)
     }
 
     /// True where nothing stands in the way of a shadow ray.
     pub fn is_free(&mut self, shadow_ray: &Ray) -> bool {
         self.counts.shadow += 1;
         !self.scene.bvh.any(shadow_ray)
+            && !matches!(&self.scene.in_motion, Some(m) if m.bvh.any(shadow_ray, self.time))
     }
-}
 
-impl Scene {
-    fn first_hit(&self, ray: &Ray) -> Option<Hit<'_>> {
-        let found = self.bvh.first(ray)?;
-        let object = self.object_of_shape[found.id as usize];
-        Some(Hit {
-            t: found.crossing.t,
+    /// Aims at the light `index` where it is now: [`Light::sample`](crate::lights::Light::sample).
+    pub fn sample_light(&self, index: usize, from: &Surface, u: [f32; 2]) -> Option<LightSample> {
+        let light = &self.scene.lights[index];
+        match self.light_moved(index) {
+            Some(by) => light.sample_moved(by, from, u),
+            None => light.sample(from, u),
+        }
+    }
+
+    /// Density in 1/sr of [`Tracer::sample_light`]: [`Light::pdf`](crate::lights::Light::pdf).
+    pub fn pdf_light(&self, index: usize, from: &Surface, wi: Vec3, at: Option<&Surface>) -> f32 {
+        let light = &self.scene.lights[index];
+        match self.light_moved(index) {
+            Some(by) => light.pdf_moved(by, from, wi, at),
+            None => light.pdf(from, wi, at),
+        }
+    }
+
+    /// How far a light has come since the shutter opened; `None` for one that stands still.
+    fn light_moved(&self, index: usize) -> Option<Vec3> {
+        let span = self.scene.in_motion.as_ref()?.span_of_light[index];
+        (span != Vec3::ZERO).then(|| span * self.time)
+    }
+
+    fn first_hit(&self, ray: &Ray) -> Option<Hit<'a>> {
+        let scene = self.scene;
+        let still = scene.bvh.first(ray).map(|found| {
+            let object = scene.object_of_shape[found.id as usize];
+            (found.crossing.t, object, found)
+        });
+        if let Some(in_motion) = &scene.in_motion {
+            let t_max = still.as_ref().map_or(ray.t_max, |(t, ..)| *t);
+            let ahead = Ray { t_max, ..*ray };
+            if let Some(found) = in_motion.bvh.first(&ahead, self.time) {
+                let t = found.crossing.t;
+                let object = in_motion.object_of_shape[found.id as usize];
+                // Of two at the same distance the one that comes first in the file.
+                if still.is_none_or(|(other, first, _)| (t, object) < (other, first)) {
+                    return Some(Hit {
+                        t,
+                        surface: found.shape.surface(ray, self.time, found.crossing),
+                        object: &scene.objects[object as usize],
+                    });
+                }
+            }
+        }
+        still.map(|(t, object, found)| Hit {
+            t,
             surface: found.shape.surface(ray, found.crossing),
-            object: &self.objects[object as usize],
+            object: &scene.objects[object as usize],
         })
     }
 }

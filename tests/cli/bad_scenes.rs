@@ -75,6 +75,12 @@ fov = 40 | lens_radius = 1e39⏎fov = 40 | camera.lens_radius | finite
 fov = 40 | focus = 0⏎fov = 40 | camera.focus | greater than 0
 fov = 40 | focus = nan⏎fov = 40 | camera.focus | finite
 fov = 40 | focus = -3⏎fov = 40 | camera.focus | greater than 0, not -3
+fov = 40 | shutter = [0, nan]⏎fov = 40 | camera.shutter[1] | finite
+fov = 40 | shutter = [-inf, 1]⏎fov = 40 | camera.shutter[0] | not -inf
+fov = 40 | shutter = [1, 0.5]⏎fov = 40 | camera.shutter | must not close before it opens, but opens at 1 and closes at 0.5
+radius = 0.5 | radius = 0.5 }⏎motion = [0, nan, 0 ] # <-⏎#{ | objects[1].motion[1] | finite
+radius = 0.5 | radius = 0.5 }⏎motion = [1e39, 0, 0] # <-⏎#{ | objects[1].motion[0] | finite
+radius = 0.5 | radius = 0.5 }⏎motion = [1, 0] # <-⏎#{ | objects[1].motion | 3 numbers in brackets
 [12, 8] | [0, 8] | film.size[0] | from 1 to 65536, not 0
 [12, 8] | [12, -8] | film.size[1] | from 1 to 65536, not -8
 [12, 8] | [1000000000, 8] | film.size[0] | not 1000000000
@@ -142,7 +148,7 @@ fn fields_that_are_misspelt_or_missing() {
         r#"
 about = | abuot = | abuot | is not a field here; allowed: `name`, `about`
 max_depth = 4 | maxdepth = 4 | render.maxdepth | allowed: `max_depth` or `spp`
-fov = 40 | fow = 40 | camera.fow | allowed: `from`, `to`, `up`, `fov`, `lens_radius`, `focus`
+fov = 40 | fow = 40 | camera.fow | allowed: `from`, `to`, `up`, `fov`, `lens_radius`, `focus`, `shutter`
 size = [12, 8] | sizes = [12, 8] | film.sizes | allowed: `size`
 lambert = | lambret = | materials.dull.lambret | `lambert`, `mirror`, `glass`
 albedo = | color = | materials.dull.lambert.color | allowed: `albedo`

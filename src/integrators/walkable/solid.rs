@@ -87,7 +87,7 @@ impl<'a> Walkable<Solid> for Tracer<'a> {
         let u = stream
             .at_item(place, Purpose::LightPoint, lamp as u32)
             .two();
-        let sample = self.scene().lights[lamp].sample(&at.hit.surface, u)?;
+        let sample = self.sample_light(lamp, &at.hit.surface, u)?;
         let wi = at.frame.to_local(sample.wi);
         let f = material.f(at.wo, wi);
         let cos = wi.z.abs();
@@ -118,7 +118,7 @@ impl<'a> Walkable<Solid> for Tracer<'a> {
         };
         let at = met.map(|at| &at.hit.surface);
         lamp.map_or(0.0, |lamp| {
-            scene.lights[lamp].pdf(&from.hit.surface, ray.direction, at)
+            self.pdf_light(lamp, &from.hit.surface, ray.direction, at)
         })
     }
 }

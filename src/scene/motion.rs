@@ -1,0 +1,124 @@
+//! What moves while the shutter is open.
+
+use super::Object;
+use super::description::{Exactly, Triple};
+use super::field::{self, Checked, Field};
+use crate::geometry::{Aabb, Bvh, Moving, Shape};
+use glam::{DVec3, Vec3};
+
+/// When the shutter opens and closes, in units of time.
+pub(super) struct Shutter {
+    open: f64,
+    close: f64,
+}
+
+/// How an object moves while the shutter is open.
+pub(super) struct Way {
+    /// Where it is when the shutter opens, from where it stands at time 0.
+    pub start: DVec3,
+    /// From there to where it is when the shutter closes; zero for what stands still.
+    pub span: Vec3,
+}
+
+impl Shutter {
+    pub(super) fn new(field: &Field, Exactly([open, close]): Exactly<f64, 2>) -> Checked<Self> {
+        field::finite(&field.item(0), open)?;
+        field::finite(&field.item(1), close)?;
+        if open > close {
+            return Err(field.problem(format!(
+                "must not close before it opens, but opens at {open} and closes at {close}"
+            )));
+        }
+        Ok(Shutter { open, close })
+    }
+
+    /// The way of an object that moves by `motion` in each unit of time.
+    pub(super) fn way(&self, field: &Field, motion: Option<Triple>) -> Checked<Way> {
+        let Some(motion) = motion else {
+            return Ok(Way {
+                start: DVec3::ZERO,
+                span: Vec3::ZERO,
+            });
+        };
+        let motion = field::vector(field, motion)?;
+        let start = motion * self.open;
+        let span = (motion * (self.close - self.open)).as_vec3();
+        if start.as_vec3().is_finite() && span.is_finite() {
+            Ok(Way { start, span })
+        } else {
+            Err(too_far(field))
+        }
+    }
+}
+
+impl Way {
+    /// A complaint where one of the shapes leaves the numbers on this way.
+    pub(super) fn check(&self, field: &Field, shapes: &[Shape]) -> Checked<()> {
+        let stays = |shape: &Shape| Moving::new(*shape, self.span).is_some();
+        if self.span == Vec3::ZERO || shapes.iter().all(stays) {
+            Ok(())
+        } else {
+            Err(too_far(field))
+        }
+    }
+}
+
+fn too_far(field: &Field) -> field::Problem {
+    field.problem("must keep the object within 3.4e38 of the camera while the shutter is open")
+}
+
+/// Shapes in motion, and lights that move with them. Time runs from 0, where the shutter opens, to
+/// 1, where it closes.
+#[derive(Clone, Debug)]
+pub(super) struct InMotion {
+    pub bvh: Bvh<Moving>,
+    /// For each shape of the hierarchy the object it belongs to.
+    pub object_of_shape: Vec<u32>,
+    /// For each light its way while the shutter is open.
+    pub span_of_light: Vec<Vec3>,
+}
+
+/// Parts what moves from what stands still: the shapes that do, and of each its object.
+///
+/// * `all`: shapes, where they are when the shutter opens, and the objects they belong to.
+/// * `spans`: the way of each object while the shutter is open.
+pub(super) fn part(
+    all: Vec<(Shape, u32)>,
+    objects: &[Object],
+    spans: &[Vec3],
+    lights: usize,
+) -> (Vec<Shape>, Vec<u32>, Option<InMotion>) {
+    let stands = |(_, object): &(Shape, u32)| spans[*object as usize] == Vec3::ZERO;
+    let (still, moving): (Vec<_>, Vec<_>) = all.into_iter().partition(stands);
+    let (shapes, object_of_shape) = still.into_iter().unzip();
+    let moving = moving.into_iter().filter_map(|(shape, object)| {
+        Moving::new(shape, spans[object as usize]).map(|shape| (shape, object))
+    });
+    let (moving, object_of_moving): (Vec<_>, Vec<_>) = moving.unzip();
+    let mut span_of_light = vec![Vec3::ZERO; lights];
+    for (object, span) in objects.iter().zip(spans) {
+        if let Some(light) = object.light {
+            span_of_light[light as usize] = *span;
+        }
+    }
+    let in_motion = (!moving.is_empty()).then(|| InMotion {
+        bvh: Bvh::new(&moving),
+        object_of_shape: object_of_moving,
+        span_of_light,
+    });
+    (shapes, object_of_shape, in_motion)
+}
+
+/// Radius of a sphere around all shapes at all times; 0 where there are none.
+pub(super) fn radius(all: &[(Shape, u32)], spans: &[Vec3]) -> f32 {
+    let everywhere = |(shape, object): &(Shape, u32)| {
+        let here = shape.bounds();
+        match spans[*object as usize] {
+            Vec3::ZERO => here,
+            span => here.union(shape.moved(span).bounds()),
+        }
+    };
+    let around = all.iter().map(everywhere).reduce(Aabb::union);
+    let diagonal = around.map(|b| b.max.as_dvec3() - b.min.as_dvec3());
+    diagonal.map_or(0.0, |d| 0.5 * d.length()) as f32
+}

@@ -1,0 +1,331 @@
+//! Scenes in motion: at each moment a scene that stands still, and lamps that are aimed at where
+//! they are.
+
+use crate::cli::{complaint, folder, halfdisk};
+use glam::Vec3;
+use halfdisk::color::Rgb;
+use halfdisk::geometry::{Ray, Surface};
+use halfdisk::integrators::{Combine, Integrator, Kajiya, NextEvent, Path, Whitted};
+use halfdisk::render::{Film, Options, render};
+use halfdisk::sampling::mis::Heuristic;
+use halfdisk::sampling::stream::{Purpose, Stream};
+use halfdisk::scene::gallery::{self, GALLERY};
+use halfdisk::scene::read::Source;
+use halfdisk::scene::{Scene, Tracer};
+use halfdisk::stats::Estimate;
+use halfdisk::stats::z_test::z_test;
+use std::f64::consts::PI;
+use std::path::Path as File;
+
+const CRITICAL: f64 = 4.4;
+
+/// A scene file: its shutter, and what is in it.
+fn text(shutter: [f64; 2], objects: &str) -> String {
+    format!(
+        "name = 'test'\nfilm.size = [16, 12]\nmaterials.half.lambert.albedo = 0.5\n\
+         camera = {{ from = [0, 1, 5], to = [0, 0.5, 0], fov = 45, shutter = {shutter:?} }}\n{objects}"
+    )
+}
+
+fn scene(shutter: [f64; 2], objects: &str) -> Scene {
+    let text = text(shutter, objects);
+    let source = Source {
+        file: "test.toml",
+        text: &text,
+    };
+    gallery::from_text(source, None, |_| {}).unwrap()
+}
+
+/// A sphere, a mesh and a lamp, each with what is said about its motion, over a floor.
+fn yard(sphere: &str, mesh: &str, lamp: &str) -> String {
+    format!(
+        "[[objects]]\nmaterial = 'half'\n{sphere}\n\
+         sphere = {{ center = [-1, 0.5, 0], radius = 0.5 }}\n\
+         [[objects]]\nmaterial = 'half'\n{mesh}\n\
+         bumpy_sphere = {{ center = [1, 0.5, 0], radius = 0.5, columns = 8, rows = 6 }}\n\
+         [[objects]]\nemits = 9\n{lamp}\n\
+         sphere = {{ center = [0, 2, 1], radius = 0.25 }}\n\
+         [[objects]]\nmaterial = 'half'\n\
+         quad = {{ corner = [-4, 0, 4], u = [8, 0, 0], v = [0, 0, -8] }}\n"
+    )
+}
+
+/// All of the yard moves.
+fn in_motion() -> String {
+    yard(
+        "motion = [0.5, 0.25, 0]",
+        "motion = [0, 0, -1.5]",
+        "motion = [-1, 0.5, 0]",
+    )
+}
+
+/// The yard standing still, shifted to where that in motion is at a time.
+fn standing(time: f64) -> String {
+    let shift = |[x, y, z]: [f64; 3]| {
+        format!(
+            "transform.translate = [{}, {}, {}]",
+            x * time,
+            y * time,
+            z * time
+        )
+    };
+    yard(
+        &shift([0.5, 0.25, 0.0]),
+        &shift([0.0, 0.0, -1.5]),
+        &shift([-1.0, 0.5, 0.0]),
+    )
+}
+
+#[test]
+fn a_closed_shutter_and_a_motion_of_zero_change_no_byte() {
+    let folder = folder();
+    let exr = |text: &str| {
+        std::fs::write(folder.path().join("scene.toml"), text).unwrap();
+        let arguments = "render scene.toml --spp 5 --max-depth 4 --out p.exr";
+        let output = halfdisk(folder.path(), &arguments.split(' ').collect::<Vec<_>>());
+        assert!(output.status.success(), "{}", complaint(&output));
+        std::fs::read(folder.path().join("p.exr")).unwrap()
+    };
+    for time in [0.0, 0.5, -2.0] {
+        let still = exr(&text([0.0, 0.0], &standing(time)));
+        assert!(exr(&text([time, time], &in_motion())) == still, "{time}");
+        assert!(exr(&text([time, time + 0.25], &in_motion())) != still);
+    }
+    let zero = "motion = [0, 0, 0]";
+    assert!(
+        exr(&text([0.0, 1.0], &yard(zero, zero, zero)))
+            == exr(&text([0.0, 0.0], &yard("", "", "")))
+    );
+    assert!(!scene([0.0, 1.0], &yard(zero, zero, zero)).moves());
+    assert!(!scene([1.0, 1.0], &in_motion()).moves());
+    assert!(scene([1.0, 1.5], &in_motion()).moves());
+}
+
+#[test]
+fn at_each_moment_the_scene_is_one_that_stands_still() {
+    // All coordinates are short binary fractions: nothing is rounded on the way.
+    let moving = scene([0.0, 1.0], &in_motion());
+    let (mut hits, mut elsewhere) = (0, 0);
+    for time in [0.0_f32, 0.25, 0.5, 1.0] {
+        let still = scene([0.0, 0.0], &standing(f64::from(time)));
+        let [mut a, mut b, mut wrong] = [&moving, &still, &moving].map(Tracer::new);
+        a.at_time(time);
+        wrong.at_time(1.0 - time);
+        for i in 0..2000 {
+            let mut numbers = Stream::new(1, i, 0).at(0, Purpose::Integrand);
+            let ray = still.camera.ray(numbers.one(), numbers.one());
+            let answer = |tracer: &mut Tracer, ray: &Ray| {
+                tracer.camera_ray(ray).map(|hit| {
+                    let Surface { p, error, n } = hit.surface;
+                    (hit.t, p, error, n, hit.object.emission)
+                })
+            };
+            let met = answer(&mut b, &ray);
+            assert_eq!(answer(&mut a, &ray), met, "{ray:?} at {time}");
+            elsewhere += usize::from(answer(&mut wrong, &ray) != met);
+            let Some((_, p, error, n, _)) = met else {
+                continue;
+            };
+            hits += 1;
+            let from = Surface { p, error, n };
+            let u = numbers.two();
+            let aimed = |tracer: &mut Tracer| {
+                tracer.sample_light(0, &from, u).map(|s| {
+                    let (wi, ray) = (s.wi, s.shadow_ray);
+                    (wi, ray.origin, ray.t_max, tracer.is_free(&ray))
+                })
+            };
+            assert_eq!(aimed(&mut a), aimed(&mut b));
+        }
+    }
+    println!("{hits} hits alike, {elsewhere} of 8000 rays another at another time");
+    assert!(hits > 4000 && elsewhere > 500);
+}
+
+#[test]
+fn of_two_shapes_at_one_place_the_first_in_the_file_is_met() {
+    let plate = |emits: u8, motion: &str| {
+        format!(
+            "[[objects]]\nemits = {emits}\n{motion}\n\
+             quad = {{ corner = [-1, -1, 0], u = [2, 0, 0], v = [0, 2, 0] }}\n"
+        )
+    };
+    let aside = "motion = [0.5, 0, 0]";
+    for (first, second) in [(aside, ""), ("", aside)] {
+        let both = scene([0.0, 1.0], &(plate(1, first) + &plate(2, second)));
+        let mut tracer = Tracer::new(&both);
+        for time in [0.0, 0.5, 1.0] {
+            tracer.at_time(time);
+            let hit = tracer.camera_ray(&both.camera.ray(0.5, 0.5)).unwrap();
+            assert_eq!(hit.object.emission, Rgb::WHITE, "{first} at {time}");
+        }
+    }
+}
+
+/// The radiance along one ray at random times, red channel.
+fn radiance(integrator: &impl Integrator, scene: &Scene, ray: &Ray, walks: u32) -> Estimate {
+    let mut tracer = Tracer::new(scene);
+    let one = |i| {
+        let stream = Stream::new(2, i, 0);
+        tracer.at_time(stream.at(0, Purpose::Time).one());
+        f64::from(integrator.li(&mut tracer, ray, &stream).r)
+    };
+    (0..walks).map(one).collect()
+}
+
+/// Aims at lamps where they were when the shutter opened.
+struct AimsAtTheStart;
+
+impl Integrator for AimsAtTheStart {
+    fn li(&self, tracer: &mut Tracer, ray: &Ray, stream: &Stream) -> Rgb {
+        let Some(hit) = tracer.camera_ray(ray) else {
+            return Rgb::BLACK;
+        };
+        let u = stream.at(1, Purpose::LightPoint).two();
+        let Some(sample) = tracer.scene().lights[0].sample(&hit.surface, u) else {
+            return Rgb::BLACK;
+        };
+        let cos = hit.surface.n.dot(sample.wi).max(0.0);
+        let albedo = hit.object.material.map_or(Rgb::BLACK, |m| m.albedo());
+        albedo * sample.incident.facing_irradiance() * (cos / std::f32::consts::PI)
+    }
+}
+
+#[test]
+fn a_round_lamp_that_flies_over_a_floor() {
+    // At distance x along its way it gives `π L R² h / (h² + x²)^(3/2)`: over the way from a to b
+    // the mean of that is `π L R² / h [x / √(h² + x²)] / (b - a)`.
+    let flight = |shutter| {
+        scene(
+            shutter,
+            "[[objects]]\nemits = 5\nmotion = [2, 0, 0]\n\
+             sphere = { center = [-1, 2, 0], radius = 0.25 }\n\
+             [[objects]]\nmaterial = 'half'\n\
+             quad = { corner = [-4, 0, 4], u = [8, 0, 0], v = [0, 0, -8] }\n",
+        )
+    };
+    // From the eye to the floor below the lamp's place at time 1/2.
+    let ray = Ray::new(Vec3::ZERO, Vec3::new(0.0, -1.0, -5.0).normalize());
+    for (open, close) in [(0.0, 1.0), (0.5, 2.0), (-1.0, 1.0)] {
+        let lamp = flight([open, close]);
+        let [a, b] = [open, close].map(|t| -1.0 + 2.0 * t);
+        let whole = |x: f64| x / (4.0 + x * x).sqrt();
+        let irradiance = PI * 5.0 * 0.0625 / 2.0 * (whole(b) - whole(a)) / (b - a);
+        let truth = 0.5 / PI * irradiance;
+        let check = |name: &str, estimate: Estimate| {
+            let test = z_test(&estimate, truth, CRITICAL);
+            println!("{name}, open from {open} to {close}: {test}");
+            test
+        };
+        let accept = |name: &str, estimate: Estimate| {
+            let test = check(name, estimate);
+            assert!(test.passes() && test.detects < 0.1 * truth, "{name}");
+        };
+        let max_depth = 2;
+        let heuristic = Heuristic::Balance;
+        let mis = Combine {
+            max_depth,
+            heuristic,
+        };
+        accept(
+            "kajiya",
+            radiance(&Kajiya { max_depth }, &lamp, &ray, 400_000),
+        );
+        accept(
+            "whitted",
+            radiance(&Whitted { max_depth }, &lamp, &ray, 4000),
+        );
+        accept(
+            "next-event",
+            radiance(&NextEvent { max_depth }, &lamp, &ray, 4000),
+        );
+        accept("combine", radiance(&mis, &lamp, &ray, 4000));
+        accept("path", radiance(&Path::new(max_depth), &lamp, &ray, 4000));
+        let start = radiance(&AimsAtTheStart, &lamp, &ray, 4000);
+        assert!(!check("aimed at the start", start).passes());
+        let middle = 0.5 * (open + close);
+        let still = flight([middle, middle]);
+        let still = radiance(&NextEvent { max_depth }, &still, &ray, 4000);
+        assert!(!check("still in the middle", still).passes());
+    }
+}
+
+/// The distance of two pictures' means in standard errors.
+fn apart(name: &str, a: &Film, b: &Film) -> f64 {
+    let ((a, a_error), (b, b_error)) = (a.mean(), b.mean());
+    let z = (a - b) / a_error.hypot(b_error);
+    println!("{name}: {a:.5} ± {a_error:.5} and {b:.5} ± {b_error:.5}, z = {z:.2}");
+    z
+}
+
+#[test]
+fn moving_lamps_of_each_kind_by_all_integrators() {
+    let lamps = [
+        "quad = { corner = [-1.5, 1.5, 0.5], u = [1, 0, 0], v = [0, 0, 1] }",
+        "quad = { corner = [-1.5, 1.5, 0.5], u = [1, 0.25, 0], v = [0.5, 0, 1] }",
+        "triangle = { a = [-1.5, 1.5, 0.5], b = [-0.5, 1.5, 0.5], c = [-1, 1.5, 1.5] }",
+        "bumpy_sphere = { center = [-1, 1.5, 1], radius = 0.5, columns = 8, rows = 6 }",
+        "box = { min = [-1.5, 1.5, 0.5], max = [-1, 2, 1] }",
+    ];
+    for lamp in lamps {
+        let with = |motion: &str| {
+            scene(
+                [0.0, 1.0],
+                &format!(
+                    "[[objects]]\nemits = 5\nmaterial = 'half'\n{motion}\n{lamp}\n\
+                     [[objects]]\nmaterial = 'half'\nmotion = [0, 0.5, 0]\n\
+                     sphere = {{ center = [0, 0.25, 0], radius = 0.5 }}\n\
+                     [[objects]]\nmaterial = 'half'\n\
+                     quad = {{ corner = [-4, 0, 4], u = [8, 0, 0], v = [0, 0, -8] }}\n"
+                ),
+            )
+        };
+        let paint = |scene: &Scene, integrator: &dyn Fn(&Scene, &Options) -> Film, spp, seed| {
+            let options = Options {
+                spp,
+                seed,
+                ..Options::default()
+            };
+            integrator(scene, &options)
+        };
+        fn with_integrator<I: Integrator>(i: I) -> impl Fn(&Scene, &Options) -> Film {
+            move |scene, options| {
+                let rendered = render(scene, &i, options, &());
+                assert_eq!(rendered.non_finite, 0);
+                rendered.film
+            }
+        }
+        let max_depth = 4;
+        let scene = with("motion = [2, 0.5, -1]");
+        let walk = paint(&scene, &with_integrator(Kajiya { max_depth }), 2048, 1);
+        let heuristic = Heuristic::Power;
+        let mis = Combine {
+            max_depth,
+            heuristic,
+        };
+        let asking = with_integrator(NextEvent { max_depth });
+        let films = [
+            ("next-event", paint(&scene, &asking, 256, 2)),
+            ("combine", paint(&scene, &with_integrator(mis), 256, 3)),
+            (
+                "path",
+                paint(&scene, &with_integrator(Path::new(max_depth)), 256, 4),
+            ),
+        ];
+        for (name, film) in &films {
+            assert!(apart(name, &walk, film).abs() <= CRITICAL, "{name}, {lamp}");
+        }
+        let still = paint(&with(""), &asking, 256, 2);
+        assert!(apart("a lamp that stands still", &walk, &still).abs() > CRITICAL);
+    }
+}
+
+#[test]
+fn the_gallery_has_scenes_with_a_lens_and_in_motion() {
+    for (name, _) in GALLERY {
+        let scene = gallery::load(name).unwrap();
+        assert_eq!(scene.moves(), *name == "motion", "{name}");
+        assert_eq!(scene.camera.lens().is_some(), *name == "lens", "{name}");
+    }
+    assert!(File::new("examples/scenes/motion.toml").exists());
+}
