@@ -68,7 +68,7 @@ pub fn build(said: &Description, folder: Option<&Path>) -> Checked<Scene> {
         environment_light,
         light_choice: LightChoice::by_power(&parts.lights, radius),
         lights: parts.lights,
-        casters: Casters::new(&parts.objects, &parts.shapes, &parts.object_of_shape),
+        casters: Casters::new(&parts.objects, &shapes, &object_of_shape),
         suggested,
         report: BuildReport {
             shapes: count,
