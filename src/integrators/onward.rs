@@ -46,7 +46,11 @@ impl<'a> Onward<'a> {
     /// Draws where the path goes on; `None` where it ends. `branch` decides who draws.
     ///
     /// Density: [`Onward::pdf`], in 1/sr.
-    pub(super) fn sample(&self, numbers: &mut Numbers, mut branch: Numbers) -> Option<Step> {
+    pub(super) fn sample(
+        &self,
+        numbers: &mut Numbers,
+        branch: impl FnOnce() -> f32,
+    ) -> Option<Step> {
         let (u, choice) = (numbers.two(), numbers.one());
         let Some(seen) = &self.seen else {
             let drawn = self.material.scatter(self.at.wo, choice, u)?;
@@ -56,7 +60,7 @@ impl<'a> Onward<'a> {
                 pdf: drawn.pdf,
             });
         };
-        let (wi, direction) = if branch.one() < TOWARDS_CASTERS {
+        let (wi, direction) = if branch() < TOWARDS_CASTERS {
             let direction = seen.sample(choice, u).normalize();
             (self.at.frame.to_local(direction), direction)
         } else {

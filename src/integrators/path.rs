@@ -84,7 +84,7 @@ impl Integrator for Path {
 
             // Choose where to look next.
             let mut numbers = stream.at(place, Purpose::Direction);
-            let branch = stream.at(place, Purpose::Branch);
+            let branch = || stream.at(place, Purpose::Branch).one();
             let Some(step) = onward.sample(&mut numbers, branch) else {
                 break;
             };

@@ -19,7 +19,7 @@ pub use triangle::TriangleLight;
 
 use crate::color::Rgb;
 use crate::geometry::{Ray, Surface};
-use glam::{DVec3, Vec3};
+use glam::Vec3;
 use std::f64::consts::PI;
 
 /// Everything that shines. To add a light: a file, a variant, and follow the compiler.
@@ -143,18 +143,18 @@ const SMALLEST_SOLID_ANGLE: f64 = 1e-6;
 
 /// A light is far where its middle is at least so many times as far away as its farthest corner is
 /// from the middle.
-const FAR: f64 = 4.0;
+const FAR: f32 = 4.0;
 
-/// True where a light of these corners, given relative to the eye, is so far away that points drawn
-/// uniformly in area serve as well: `cos θ / d²` hardly differs between them, and the many
-/// functions of angles that a solid angle costs are saved.
-fn is_far<const N: usize>(corners: [DVec3; N]) -> bool {
-    let middle = corners.iter().sum::<DVec3>() / N as f64;
+/// True where a light of these corners is so far from `from` that points drawn uniformly in area
+/// serve as well: `cos θ / d²` hardly differs between them, and the many functions of angles that a
+/// solid angle costs are saved.
+fn is_far<const N: usize>(corners: [Vec3; N], from: &Surface) -> bool {
+    let middle = corners.iter().sum::<Vec3>() / N as f32;
     let farthest = corners
         .iter()
         .map(|corner| (*corner - middle).length_squared())
-        .fold(0.0, f64::max);
-    middle.length_squared() >= FAR * FAR * farthest
+        .fold(0.0, f32::max);
+    (middle - from.p).length_squared() >= FAR * FAR * farthest
 }
 
 /// True where `from` is before the front of a flat light and surely not on it: a point of the light

@@ -85,12 +85,11 @@ impl QuadLight {
 
     /// The rectangle as a point before it sees it; `None` where it is none, far or too small.
     fn seen_from(&self, from: &Surface) -> Option<Seen> {
-        let eye = from.p.as_dvec3();
-        let corners = self.quad.corners().map(|c| c.as_dvec3() - eye);
-        if is_far(corners) {
+        let corners = self.quad.corners();
+        if is_far(corners, from) {
             return None;
         }
-        let [a, b, _, d] = corners;
+        let [a, b, _, d] = corners.map(|corner| corner.as_dvec3() - from.p.as_dvec3());
         let (u, v) = (b - a, d - a);
         let (width, height) = (u.length(), v.length());
         let (x, y) = (u / width, v / height);

@@ -50,11 +50,11 @@ impl TriangleLight {
 
     /// The triangle as a point before it sees it; `None` where it is far or too small.
     fn seen_from(&self, from: &Surface) -> Option<SphericalTriangle> {
-        let corners = self.corners(from);
-        if is_far(corners) {
+        let Triangle { a, b, c } = self.triangle;
+        if is_far([a, b, c], from) {
             return None;
         }
-        let seen = SphericalTriangle::new(corners)?;
+        let seen = SphericalTriangle::new(self.corners(from))?;
         (seen.solid_angle() >= SMALLEST_SOLID_ANGLE).then_some(seen)
     }
 
