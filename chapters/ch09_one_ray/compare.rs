@@ -58,7 +58,7 @@ pub fn tree_and_paths(desk: &mut Desk) -> Result<(f64, u64), DeskError> {
         let number = Number::new(says, mean);
         let error = Some(error);
         desk.number(name, Number { error, ..number });
-        desk.value(&format!("{name}_rays"), "  rays of one", each(found));
+        desk.value(&format!("{name}_rays"), "  rays of one", three(each(found)));
         desk.value(
             &format!("{name}_all"),
             "  rays in all",
@@ -66,16 +66,16 @@ pub fn tree_and_paths(desk: &mut Desk) -> Result<(f64, u64), DeskError> {
         );
         let samples = half.pixels().first().map_or(1, |p| p.count());
         let noise = (half.sample_variance() / samples as f64).sqrt();
-        desk.value(&format!("{name}_noise"), "  noise of a pixel", noise);
+        desk.value(&format!("{name}_noise"), "  noise of a pixel", three(noise));
     }
     let ((a, a_error), (b, b_error)) = (a.mean(), b.mean());
     desk.value(
         "price_ratio",
         "rays of trees for one of paths",
-        price(&tree) / price(&paths),
+        three(price(&tree) / price(&paths)),
     );
     let z = (a - b) / a_error.hypot(b_error);
-    desk.value("apart", "their distance in standard errors", z);
+    desk.value("apart", "their distance in standard errors", three(z));
     Ok((z.abs(), tree.rays.total() + paths.rays.total()))
 }
 
@@ -97,17 +97,17 @@ pub fn splitting(desk: &mut Desk) -> Result<u64, DeskError> {
         desk.value(
             &format!("split_rays_{paths}"),
             &format!("{paths} paths for each ray from the eye: rays"),
-            each(&found),
+            three(each(&found)),
         );
         desk.value(
             &format!("split_{paths}"),
             "  variance times rays, picture",
-            whole,
+            three(whole),
         );
         desk.value(
             &format!("split_point_{paths}"),
             "  variance times rays, one point",
-            point,
+            three(point),
         );
         best = if whole < best.0 { (whole, paths) } else { best };
         picture_wide.push((f64::from(paths), whole));
@@ -146,4 +146,9 @@ pub fn splitting(desk: &mut Desk) -> Result<u64, DeskError> {
                    little, over pixels with edges in them it does not.";
     desk.figure("chart.svg", caption, chart.to_svg()?)?;
     Ok(rays)
+}
+
+/// Three digits: enough for a number that comes without an error.
+pub fn three(x: f64) -> f64 {
+    format!("{x:.2e}").parse().unwrap_or(x)
 }

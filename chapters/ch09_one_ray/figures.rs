@@ -1,6 +1,6 @@
 //! The figures of this chapter: a tree and its path, an edge, and a picture of forty paths.
 
-use crate::compare::without_lamp;
+use crate::compare::{three, without_lamp};
 use crate::picture;
 use glam::Vec2;
 use halfdisk::chart::walk::Watched;
@@ -104,7 +104,7 @@ pub fn forty_paths(desk: &mut Desk, scene: &Scene) -> Result<u64, DeskError> {
     desk.value(
         "forty_rays",
         "rays of one path in the box, lamp included",
-        each,
+        three(each),
     );
     Ok(found.rays.total())
 }
@@ -112,7 +112,7 @@ pub fn forty_paths(desk: &mut Desk, scene: &Scene) -> Result<u64, DeskError> {
 /// The noise of many paths over the noise of one, from pictures that differ by chance alone; the
 /// rays.
 pub fn noise(desk: &mut Desk, pictures: u64) -> Result<u64, DeskError> {
-    let side = desk.choose(48, 24);
+    let side = desk.choose(48, 32);
     let scene = gallery::load_with("cornell", |said| said.film.size = [side; 2])?;
     let mut means = vec![Estimate::new(); (side * side / 2) as usize];
     let mut singles = vec![Estimate::new(); means.len()];
@@ -176,7 +176,7 @@ pub fn edge(desk: &mut Desk) -> Result<u64, DeskError> {
             }
             edges += 1;
             worst = worst.max(read.z(exact).abs());
-            if (x, y) == (8, 6) {
+            if (x, y) == (9, 2) {
                 desk.estimate("edge_pixel", "a pixel on the edge", read, Some(exact));
             }
         }
@@ -185,7 +185,7 @@ pub fn edge(desk: &mut Desk) -> Result<u64, DeskError> {
     desk.value(
         "edge_worst",
         "the farthest of them, in standard errors",
-        worst,
+        three(worst),
     );
     let caption =
         "An edge through pixels of 1/16 of the picture. A pixel is as bright as it is covered.";

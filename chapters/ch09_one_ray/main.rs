@@ -39,7 +39,7 @@ fn work(desk: &mut Desk) -> Result<Ledger, DeskError> {
     let side = desk.choose(160, 48);
     let scene = gallery::load_with("cornell", |said| said.film.size = [side; 2])?;
     let rays_forty = figures::forty_paths(desk, &scene)?;
-    let rays_noise = figures::noise(desk, desk.choose(8, 4))?;
+    let rays_noise = figures::noise(desk, desk.choose(8, 6))?;
     let rays_edge = figures::edge(desk)?;
     reach(desk)?;
     Ok(Ledger {

@@ -169,19 +169,23 @@ pub fn boxes(desk: &mut Desk) -> Result<u64, DeskError> {
             let caption = format!("A lamp {sides}, {way}.");
             desk.picture(&format!("{name}_{size}.png"), &caption, &found.film, &scene)?;
             let says = format!("lamp {sides}, {way}: variance below the horizon");
-            desk.value(&format!("box_{name}_{size}"), &says, lower(&found.film));
+            desk.value(
+                &format!("box_{name}_{size}"),
+                &says,
+                three(lower(&found.film)),
+            );
             rays += found.rays.total();
         }
         let each = |found: &Rendered| found.rays.total() as f64 / found.rays.camera.max(1) as f64;
         desk.value(
             &format!("box_rays_chance_{size}"),
             "  rays by chance",
-            each(&chance),
+            three(each(&chance)),
         );
         desk.value(
             &format!("box_rays_aim_{size}"),
             "  rays with aiming",
-            each(&aimed),
+            three(each(&aimed)),
         );
     }
     Ok(rays)
@@ -211,4 +215,9 @@ pub fn picture(
         return Err(DeskError::Interrupted);
     }
     Ok(rendered)
+}
+
+/// Three digits: enough for a number that comes without an error.
+pub fn three(x: f64) -> f64 {
+    format!("{x:.2e}").parse().unwrap_or(x)
 }

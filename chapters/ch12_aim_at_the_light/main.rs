@@ -9,6 +9,7 @@ mod lamps;
 
 use halfdisk::desk::{Chapter, Desk, DeskError};
 use halfdisk::estimators::shrinking_lamp::{self, Technique};
+use halfdisk::estimators::walks::Walks;
 use halfdisk::ledger::Ledger;
 use std::process::ExitCode;
 
@@ -45,11 +46,10 @@ fn work(desk: &mut Desk) -> Result<Ledger, DeskError> {
     let [chance, aim] = [Technique::Cosine, Technique::Aim]
         .map(|technique| shrinking_lamp::flat(technique, 0.1, 100_000, desk.options.seed));
     let (chance, aim) = (chance?, aim?);
-    let price =
-        |walks: &halfdisk::estimators::walks::Walks| walks.squares.mean() * walks.rays_each();
+    let price = |walks: &Walks| walks.squares.mean() * walks.rays_each();
     let gain = price(&chance) / price(&aim);
     let says = "half-angle 0.1: rays by chance for one ray with aiming, at equal error";
-    desk.value("gain", says, gain);
+    desk.value("gain", says, figures::three(gain));
     Ok(Ledger {
         rays: rays_sweep + rays_boxes + rays_twice + rays_lamps + rays_mirror,
         variance: Some(aim.squares.mean()),

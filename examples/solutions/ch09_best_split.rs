@@ -72,7 +72,11 @@ fn main() -> Result<(), SceneError> {
         shares.eye, shares.rest, shares.rays
     );
     for cost in [1.0, 10.0, 100.0] {
-        println!("costs {cost}: best with {:.2} paths", shares.best(cost));
+        let best = shares.best(cost);
+        println!(
+            "a ray from the eye costs {cost}: best are {best:.2} paths, {:.2} times as dear is one",
+            shares.price(1.0, cost) / shares.price(best, cost)
+        );
     }
     Ok(())
 }
