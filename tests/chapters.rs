@@ -361,3 +361,43 @@ fn ch13_combine() {
     let price = |way: &str| value(&format!("plates_variance_{way}"));
     assert!(price("power") < price("chance") && price("power") < price("aiming"));
 }
+
+#[test]
+fn ch11_roulette() {
+    let data = check(env!("CARGO_BIN_EXE_ch11-roulette"), "ch11");
+    let value = |name: &str| number(&data, name, "value");
+    for cut in ["50_2", "50_5", "80_5", "80_20", "90_8", "90_43"] {
+        let name = format!("lost_{cut}");
+        assert!(
+            (value(&name) - number(&data, &name, "exact")).abs() < 1e-3,
+            "{name}"
+        );
+    }
+    for survival in [80, 90, 95] {
+        near(&data, &format!("mean_{survival}"));
+        near(&data, &format!("variance_{survival}"));
+        let name = format!("variance_{survival}");
+        let ratio = value(&name) / number(&data, &name, "exact");
+        assert!((ratio - 1.0).abs() < 0.1, "{name}: {ratio}");
+    }
+    // Where no variance can be trusted, the common walks can.
+    for survival in [50, 65, 80, 90, 95] {
+        near(&data, &format!("common_{survival}"));
+    }
+    for name in [
+        "clamp_10",
+        "clamp_30",
+        "clamp_100",
+        "reached",
+        "white_segments",
+    ] {
+        near(&data, name);
+    }
+    assert!(value("clamp_lost_10") > value("clamp_lost_100"));
+    assert!(value("clamp_lost_100") > 1.0, "percent");
+    near(&data, "dark_roulette");
+    assert!(value("dark_variance_cut") < 1e-12);
+    let hurt = value("dark_variance_roulette") / number(&data, "dark_variance_roulette", "exact");
+    assert!((hurt - 1.0).abs() < 0.1, "{hurt}");
+    assert!(value("box_gain") > 1.0);
+}

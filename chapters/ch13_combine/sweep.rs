@@ -86,12 +86,17 @@ pub fn work(desk: &mut Desk) -> Result<Sweep, DeskError> {
         }
     }
     let says = "largest |z| of the means of all techniques and sizes";
-    desk.value("largest_z", says, sweep.worst);
+    desk.value("largest_z", says, to(100.0, sweep.worst));
     let says = "balance heuristic above the better technique, squared means";
-    desk.number("premium", Number::new(says, sweep.premium));
+    desk.number("premium", Number::new(says, to(1000.0, sweep.premium)));
     let says = "worse technique above the better one, squared means";
-    desk.number("stake", Number::new(says, sweep.stake));
+    desk.number("stake", Number::new(says, to(10.0, sweep.stake)));
     Ok(sweep)
+}
+
+/// Rounded to one part in so many: more digits would say nothing.
+pub fn to(parts: f64, x: f64) -> f64 {
+    (parts * x).round() / parts
 }
 
 // ANCHOR: size

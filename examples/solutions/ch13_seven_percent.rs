@@ -9,6 +9,7 @@ use halfdisk::estimators::overhead::{Overhead, Technique};
 use halfdisk::integrators::walkable::FlatWalk;
 use halfdisk::sampling::mis::Heuristic;
 use halfdisk::sampling::stream::{Purpose, Stream};
+use halfdisk::scene::SceneError;
 use halfdisk::stats::Estimate;
 use halfdisk::stats::chi_square::chi_square;
 
@@ -22,14 +23,14 @@ const SLIPS: [(&str, Slip); 3] = [
 ];
 
 /// What a walk reads that is misled.
-fn reading(lamp: &Overhead, slip: Slip) -> Estimate {
-    let world = lamp.world(1).expect("a lamp over a floor");
+fn reading(lamp: &Overhead, slip: Slip) -> Result<Estimate, SceneError> {
+    let world = lamp.world(1)?;
     let mut misled = Misled {
         world: FlatWalk::new(&world),
         slip,
     };
     let one = |i| Technique::Both(HEURISTIC).walk(&mut misled, &Stream::new(13, i, 0));
-    (0..WALKS).map(one).collect()
+    Ok((0..WALKS).map(one).collect())
 }
 
 /// The chance that right samples of a density `factor` times as large lie at least so far from it:
@@ -55,7 +56,7 @@ fn histogram(lamp: &Overhead, factor: f64) -> f64 {
     chi_square(&counts, &expected).p
 }
 
-fn main() {
+fn main() -> Result<(), SceneError> {
     for half_angle in [0.1, 1.0] {
         let lamp = Overhead::new(half_angle);
         println!(
@@ -63,7 +64,7 @@ fn main() {
             lamp.mean()
         );
         for (place, slip) in SLIPS {
-            let read = reading(&lamp, slip);
+            let read = reading(&lamp, slip)?;
             let exact = slip.reading(&lamp, 1, HEURISTIC);
             println!(
                 "  7 % off {place}: {:.6} ± {:.6}, by quadrature {exact:.6}, {:+.1} standard errors",
@@ -78,6 +79,7 @@ fn main() {
             histogram(&lamp, f64::from(FACTOR))
         );
     }
+    Ok(())
 }
 
 #[cfg(test)]
@@ -89,7 +91,7 @@ mod tests {
         for half_angle in [0.1, 1.0] {
             let lamp = Overhead::new(half_angle);
             let noticed = SLIPS.map(|(_, slip)| {
-                let read = reading(&lamp, slip);
+                let read = reading(&lamp, slip).unwrap();
                 let own = read.z(slip.reading(&lamp, 1, HEURISTIC));
                 assert!(own.abs() <= 4.4, "{slip:?}: {own}");
                 read.z(lamp.mean()).abs() > 4.4

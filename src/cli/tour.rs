@@ -16,6 +16,7 @@ const CHAPTERS: &[(&str, &str)] = &[
     ("ch06", "ch06-bending"),
     ("ch07", "ch07-gather"),
     ("ch09", "ch09-one-ray"),
+    ("ch11", "ch11-roulette"),
     ("ch12", "ch12-aim-at-the-light"),
     ("ch13", "ch13-combine"),
 ];

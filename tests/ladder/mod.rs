@@ -3,6 +3,7 @@
 //! Where a number is compared with its truth, |z| ≤ 4.4 passes (one right estimate in 92 000 does
 //! not), and the smallest bias that would have been noticed is printed.
 
+mod survival;
 mod weights;
 mod wrong;
 
