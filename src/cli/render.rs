@@ -4,8 +4,9 @@ use super::{Stop, answer, use_threads};
 use crate::desk::{Bar, on_ctrl_c};
 use crate::integrators::{
     Albedo, Combine, Depth, Integrator, Kajiya, NextEvent, Normals, Path as PathTracer, Roulette,
-    Survival, Whitted,
+    Survival, WhichRay, Whitted,
 };
+use crate::materials::Choice;
 use crate::output::{self, Display, Provenance};
 use crate::render::{self, Options, Rendered};
 use crate::sampling::{mis::Heuristic, stream::Sampler};
@@ -82,6 +83,9 @@ enum Method {
     /// The same walk with a shadow ray to each lamp at diffuse surfaces: the same light with less
     /// noise; of point and directional lights LD(S|D)*E
     NextEvent,
+    /// A shadow ray to each lamp and one ray that is diffuse or specular or transmitted, chosen by
+    /// the shares of a mixture: the light of next-event
+    WhichRay,
     /// The same with both techniques weighted: aiming at every lamp, and finding it by chance
     Combine,
     /// The random walk of kajiya without a longest path: it ends by Russian roulette
@@ -133,6 +137,10 @@ impl Render {
             Method::Whitted => self.with(&scene, &Whitted { max_depth }),
             Method::Kajiya => self.with(&scene, &Kajiya { max_depth }),
             Method::NextEvent => self.with(&scene, &NextEvent { max_depth }),
+            Method::WhichRay => {
+                let choice = Choice::ByMean;
+                self.with(&scene, &WhichRay { max_depth, choice })
+            }
             Method::Combine => {
                 let heuristic = Heuristic::Power;
                 self.with(

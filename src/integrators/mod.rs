@@ -7,6 +7,7 @@
 //! | [`Kajiya`] | `L(S\|G\|D)*E`, lamps with extent and the background | one random walk |
 //! | [`Roulette`] | the same, without a depth cut | the walk, which ends by chance |
 //! | [`NextEvent`] | the same; of lights without extent `L(D\|G)(S\|G\|D)*E` | the walk, and shadow rays |
+//! | [`WhichRay`] | the same | shadow rays, and one ray whose kind is chosen |
 //! | [`Combine`] | the same | both, weighted |
 //! | [`Path`] | the same | all of it: the one to use |
 //!
@@ -22,6 +23,7 @@ mod roulette;
 mod tree;
 mod views;
 pub mod walkable;
+mod which_ray;
 mod whitted;
 
 pub use combine::{Combine, Shares};
@@ -31,6 +33,7 @@ pub use path::Path;
 pub use roulette::{Roulette, Survival};
 pub use tree::{Met, RayKind, RecordedRay, TreeCount, TreeRay, TreeRecord, Watch};
 pub use views::{Albedo, Depth, Normals};
+pub use which_ray::WhichRay;
 pub use whitted::{Whitted, direct_light};
 
 use crate::color::Rgb;

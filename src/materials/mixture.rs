@@ -37,6 +37,9 @@ pub enum Choice {
     ByMean,
     /// In proportion to their luminance.
     ByLuminance,
+    /// The means of their channels themselves. What these leave of 1 is the probability of being
+    /// absorbed: the path ends, as a photon does.
+    Analog,
 }
 
 impl Choice {
@@ -44,8 +47,16 @@ impl Choice {
         let [r, g, b] = k.channels().map(f64::from);
         match self {
             Choice::Equal => f64::from(u8::from(!k.is_black())),
-            Choice::ByMean => (r + g + b) / 3.0,
+            Choice::ByMean | Choice::Analog => (r + g + b) / 3.0,
             Choice::ByLuminance => 0.2126 * r + 0.7152 * g + 0.0722 * b,
+        }
+    }
+
+    /// What the importances are shares of.
+    fn whole(self, importances: [f64; 3]) -> f64 {
+        match self {
+            Choice::Analog => 1.0,
+            _ => importances.iter().sum(),
         }
     }
 }
@@ -69,18 +80,27 @@ impl Mixture {
 
     /// Density of [`Mixture::scatter_by`] at `wi`, in 1/sr.
     pub fn pdf_by(&self, rule: Choice, wo: Vec3, wi: Vec3) -> f32 {
-        let [d, s, t] = self.importances(rule);
-        if d > 0.0 {
-            (d / (d + s + t)) as f32 * self.diffuse().pdf(wo, wi)
+        let [diffuse, ..] = self.probabilities(rule);
+        if diffuse > 0.0 {
+            diffuse as f32 * self.diffuse().pdf(wo, wi)
         } else {
             0.0
         }
     }
 
+    /// With what probability each part is chosen, in the order of the fields; what they leave of 1
+    /// is absorbed.
+    pub fn probabilities(&self, rule: Choice) -> [f64; 3] {
+        let parts = self.importances(rule);
+        let whole = rule.whole(parts);
+        parts.map(|part| if part > 0.0 { part / whole } else { 0.0 })
+    }
+
     // ANCHOR: scatter_by
     /// Goes on with one of the three parts: with `R` in `[0, k_tot)`, below `kd` diffusely, below
     /// `kd + ks` mirrored, else transmitted. Its weight is its own share over the probability with
-    /// which it was chosen: `k_tot` where the shares are grey and `rule` goes by them.
+    /// which it was chosen: `k_tot` where the shares are grey and `rule` goes by them. `None` where
+    /// the light is absorbed.
     pub fn scatter_by(
         &self,
         rule: Choice,
@@ -89,31 +109,30 @@ impl Mixture {
         u: [f32; 2],
     ) -> Option<Scattered> {
         let [d, s, t] = self.importances(rule);
-        let total = d + s + t;
-        if total == 0.0 {
-            return None;
-        }
+        let whole = rule.whole([d, s, t]);
         let specular = |wi, weight| Scattered {
             wi,
             weight,
             pdf: None,
             event: Event::Specular,
         };
-        let r = f64::from(choice) * total;
-        Some(if r < d {
+        let r = f64::from(choice) * whole;
+        if r < d {
             let wi = self.diffuse().sample(wo, u)?;
-            Scattered {
+            Some(Scattered {
                 wi,
-                weight: over(self.kd, d / total),
+                weight: over(self.kd, d / whole),
                 pdf: Some(self.pdf_by(rule, wo, wi)),
                 event: Event::Diffuse,
-            }
+            })
         } else if r < d + s {
-            specular(reflect(wo), over(self.ks, s / total))
-        } else {
+            Some(specular(reflect(wo), over(self.ks, s / whole)))
+        } else if r < d + s + t {
             let through = refract(wo, self.ior).unwrap_or(reflect(wo));
-            specular(through, over(self.kt, t / total))
-        })
+            Some(specular(through, over(self.kt, t / whole)))
+        } else {
+            None
+        }
     }
     // ANCHOR_END: scatter_by
 

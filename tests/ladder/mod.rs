@@ -5,6 +5,7 @@
 
 mod survival;
 mod weights;
+mod which_ray;
 mod wrong;
 
 use glam::Vec3;
@@ -36,9 +37,13 @@ fn scene(objects: &str) -> Scene {
 
 /// Six quads that face inwards, each at distance 1 from the eye.
 fn furnace() -> Scene {
+    scene(&glowing_walls("half"))
+}
+
+fn glowing_walls(material: &str) -> String {
     let wall = |corner: [i8; 3], u: [i8; 3], v: [i8; 3]| {
         format!(
-            "[[objects]]\nmaterial = 'half'\nemits = 1\n\
+            "[[objects]]\nmaterial = '{material}'\nemits = 1\n\
              quad = {{ corner = {corner:?}, u = {u:?}, v = {v:?} }}\n"
         )
     };
@@ -51,7 +56,7 @@ fn furnace() -> Scene {
         wall([1, -1, -1], z, y),
         wall([-1, 1, -1], x, z),
     ];
-    scene(&walls.concat())
+    walls.concat()
 }
 
 /// The radiance along one ray, red channel, from so many walks.
@@ -236,7 +241,7 @@ fn apart(name: &str, a: &Film, b: &Film) -> f64 {
 /// Black pixels are left out, too.
 fn without_lamps(name: &str, max_depth: u32, films: [&Film; 2]) -> [Film; 2] {
     let [width, height] = [films[0].width(), films[0].height()];
-    let mut scene = gallery::load(name).unwrap();
+    let mut scene = gallery::load_with(name, |said| said.background = None).unwrap();
     scene.size = [width, height];
     scene.lights.clear();
     let options = Options::default();

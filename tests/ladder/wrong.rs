@@ -16,6 +16,8 @@ pub enum Slip {
     NeverAfterSpecular,
     /// The weight of the chosen branch is not divided by its probability.
     NoProbability,
+    /// The chosen branch counts as if it were the only one, and lost nothing.
+    NoWeight,
 }
 
 /// `NextEvent` with a mistake.
@@ -58,6 +60,7 @@ impl Integrator for Wrong {
             };
             beta *= match branch {
                 Some(own) if self.slip == Slip::NoProbability => own.weight,
+                _ if self.slip == Slip::NoWeight => Rgb::WHITE,
                 _ => next.weight,
             };
             ray = here.surface.spawn(frame.to_world(next.wi).normalize());

@@ -7,7 +7,12 @@ use halfdisk::stats::Estimate;
 use halfdisk::stats::chi_square::chi_square;
 use halfdisk::stats::z_test::z_test;
 
-const RULES: [Choice; 3] = [Choice::Equal, Choice::ByMean, Choice::ByLuminance];
+const RULES: [Choice; 4] = [
+    Choice::Equal,
+    Choice::ByMean,
+    Choice::ByLuminance,
+    Choice::Analog,
+];
 
 fn mixture(kd: [f32; 3], ks: [f32; 3], kt: [f32; 3]) -> Mixture {
     let [kd, ks, kt] = [kd, ks, kt].map(Rgb::from);
@@ -70,6 +75,16 @@ fn a_furnace_reads_what_is_not_absorbed() {
                     // Each way weighs all of k_tot.
                     assert!(read.variance() < 1e-12, "{k:?}: {}", read.variance());
                 }
+                if rule == Choice::Analog {
+                    // One or nothing, as often as k_tot says.
+                    let law = truth * (1.0 - truth);
+                    assert!((read.variance() - law).abs() < 0.02, "{k:?}");
+                    let all = walks
+                        .iter()
+                        .flatten()
+                        .all(|s| (s.weight.g - 1.0).abs() < 1e-6);
+                    assert!(all);
+                }
             }
         }
         // Without the probability in the weight every surface would reflect everything.
@@ -115,6 +130,12 @@ fn colours_come_out_channel_by_channel() {
 fn what_weighs_nothing_is_never_chosen_and_nothing_is_lost_at_the_ends() {
     let last = 1.0_f32.next_down();
     for rule in RULES {
+        // Not even where rounding lets the shares add up to a little more than one.
+        let full = grey([0.7, 0.2, 0.1]);
+        assert!(
+            full.scatter_by(rule, direction(0.8), last, [0.5; 2])
+                .is_some()
+        );
         for cos in [0.8, -0.3] {
             let wo = direction(cos);
             let at = |m: &Mixture, choice| m.scatter_by(rule, wo, choice, [0.3, 0.6]);
@@ -125,12 +146,17 @@ fn what_weighs_nothing_is_never_chosen_and_nothing_is_lost_at_the_ends() {
             assert_eq!(no_diffuse.event, Event::Specular);
             for k in [[0.7, 0.0, 0.0], [0.3, 0.0, 0.0], [1e-30, 0.0, 0.0]] {
                 for choice in [0.0, 0.5, last] {
-                    let only = at(&grey(k), choice).unwrap();
-                    assert_eq!((only.event, only.weight.r), (Event::Diffuse, k[0]));
+                    let Some(only) = at(&grey(k), choice) else {
+                        // Absorbed, where nothing else happens to light.
+                        assert!(rule == Choice::Analog && choice >= k[0]);
+                        continue;
+                    };
+                    let weight = if rule == Choice::Analog { 1.0 } else { k[0] };
+                    assert_eq!((only.event, only.weight.r), (Event::Diffuse, weight));
                     assert_eq!(only.pdf, Some(grey(k).pdf_by(rule, wo, only.wi)));
                 }
             }
-            let mirror = at(&grey([0.1, 0.7, 0.0]), last).unwrap();
+            let mirror = at(&grey([0.1, 0.9, 0.0]), last).unwrap();
             assert_eq!(mirror.wi.z, wo.z);
         }
     }

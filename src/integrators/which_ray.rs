@@ -1,0 +1,87 @@
+//! The slides' algorithm: at each surface one ray to every lamp, and one further ray that is diffuse
+//! or specular or transmitted.
+//!
+//! Simulates the paths `L(S|G|D)*E` of lamps with extent and of the background, and of point and
+//! directional lights `L(D|G)(S|G|D)*E`, like `next_event` and with the same expected value.
+//!
+//! Differs from `whitted`: where that follows the mirrored and the transmitted ray and no diffuse one,
+//! this follows one of the three, so that a path stays a path. Differs from `next_event`: how the
+//! kind of the one ray is chosen is open; each choice is right, and each has its own variance. What
+//! the choice made likelier counts less: the weight is `k/p`, which the slides leave out. Light of
+//! the lamps counts by the shadow rays after a diffuse choice, and where the path meets it after a
+//! specular one.
+//!
+//! Sources: Kajiya, The Rendering Equation (SIGGRAPH 1986), for one ray in place of a tree; Lafortune,
+//! Willems, Using the Modified Phong Reflectance Model for Physically Based Rendering (Report CW 197,
+//! KU Leuven 1994), section 4, for the weight.
+
+use super::Integrator;
+use super::walkable::{SolidPoint, Walkable, ask_all};
+use crate::color::Rgb;
+use crate::geometry;
+use crate::materials::{Choice, Material, Scattered};
+use crate::sampling::stream::{Purpose, Stream};
+use crate::scene::Tracer;
+use crate::space::Ray;
+
+/// The walk that chooses what kind of ray to follow.
+#[derive(Clone, Copy, Debug)]
+pub struct WhichRay {
+    /// Longest path in segments: the camera ray is the first, the shadow ray, or the ray that hits
+    /// a lamp or leaves the scene, the last.
+    pub max_depth: u32,
+    /// With which probabilities the parts of a mixture are chosen. Other materials choose by what
+    /// their parts reflect.
+    pub choice: Choice,
+}
+
+impl Integrator for WhichRay {
+    // ANCHOR: which_ray
+    fn li(&self, tracer: &mut Tracer, ray: &geometry::Ray, stream: &Stream) -> Rgb {
+        let mut li = Rgb::BLACK;
+        let mut beta = Rgb::WHITE;
+        let mut ray = Ray::from(ray);
+        // The surface that asked for the light along the ray. Nobody did along one from the eye.
+        let mut asked = None;
+        for depth in 1..=self.max_depth {
+            let met = tracer.follow(&ray, depth);
+
+            // The light that comes along the path by itself, unless it was asked for.
+            let was_asked = |from| tracer.pdf_aim(&from, &ray, met.as_ref()) > 0.0;
+            if !asked.is_some_and(was_asked) {
+                li += beta * tracer.arriving(&ray, met.as_ref());
+            }
+            let Some(here) = met else { break };
+            if depth == self.max_depth {
+                break;
+            }
+
+            // One ray to each lamp.
+            let place = u64::from(depth);
+            li += beta * ask_all(tracer, &here, place, stream);
+
+            // One further ray: diffuse, specular or transmitted.
+            let Some(next) = self.further(&here, place, stream) else {
+                break;
+            };
+            beta *= next.weight;
+            asked = next.pdf.map(|_| here);
+            let direction = here.frame.to_world(next.wi).normalize();
+            ray = Ray::from(&here.hit.surface.spawn(direction));
+        }
+        li
+    }
+    // ANCHOR_END: which_ray
+}
+
+impl WhichRay {
+    /// Chooses the further ray; `None` where the light is absorbed.
+    pub fn further(&self, here: &SolidPoint, place: u64, stream: &Stream) -> Option<Scattered> {
+        let choice = stream.at(place, Purpose::Branch).one();
+        let u = stream.at(place, Purpose::Direction).two();
+        match here.hit.object.material? {
+            Material::Mixture(m) => m.scatter_by(self.choice, here.wo, choice, u),
+            other => other.scatter(here.wo, choice, u),
+        }
+    }
+}
