@@ -75,7 +75,7 @@ pub fn tree_and_paths(desk: &mut Desk) -> Result<(f64, u64), DeskError> {
         three(price(&tree) / price(&paths)),
     );
     let z = (a - b) / a_error.hypot(b_error);
-    desk.value("apart", "their distance in standard errors", three(z));
+    desk.value("apart", "their distance in standard errors", three(z.abs()));
     Ok((z.abs(), tree.rays.total() + paths.rays.total()))
 }
 
