@@ -88,9 +88,9 @@ mod tests {
     #[test]
     fn two_splits_foretell_a_third_and_the_best_is_the_best() {
         let scene = scene().expect("the box");
-        let shares = measure(&scene, 512);
-        let (told, found) = (shares.variance(4.0), variance(&paint(&scene, 4, 512)));
-        assert!((told / found - 1.0).abs() < 0.05, "{told} and {found}");
+        let shares = measure(&scene, 192);
+        let (told, found) = (shares.variance(4.0), variance(&paint(&scene, 4, 192)));
+        assert!((told / found - 1.0).abs() < 0.08, "{told} and {found}");
         for cost in [1.0, 10.0, 100.0] {
             let best = shares.best(cost);
             for other in [0.5 * best, 2.0 * best] {
