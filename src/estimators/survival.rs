@@ -61,6 +61,10 @@ impl Game {
         let mut value = 1.0;
         let mut sum = 0.0;
         for _ in 0..surfaces {
+            // What is less likely than this never happens, and its value may be no number.
+            if chance < f64::MIN_POSITIVE {
+                break;
+            }
             sum += chance * f(value);
             chance *= self.survival;
             value = 1.0 + self.albedo / self.survival * value;
