@@ -1,0 +1,149 @@
+//! The chapters in which light walks.
+
+use super::{check, near, number};
+
+#[test]
+fn ch09_one_ray() {
+    let data = check(env!("CARGO_BIN_EXE_ch09-one-ray"), "ch09");
+    for name in ["room", "noise", "edge_pixel"] {
+        near(&data, name);
+    }
+    let value = |name: &str| number(&data, name, "value");
+    assert!(value("apart") <= 4.0, "trees and paths");
+    assert!(value("edge_worst") <= 4.0);
+    // Trees and paths were given the same rays, and the paths are less noisy.
+    assert!((value("tree_all") / value("paths_all") - 1.0).abs() < 0.02);
+    assert!(value("price_ratio") > 2.0);
+    for bounces in [2, 4] {
+        let rays = value(&format!("path_rays_{bounces}"));
+        assert_eq!(rays, f64::from(bounces + 1));
+    }
+    assert_eq!(value("tree_rays_4"), 69_905.0);
+    // At one point a shared ray is a ray saved.
+    assert!(value("split_point_16") < value("split_point_1"));
+    let forty = number(&data, "noise", "error");
+    assert!(
+        forty < 0.03 * value("noise"),
+        "known to three percent: {forty}"
+    );
+}
+
+#[test]
+fn ch12_aim_at_the_light() {
+    let data = check(env!("CARGO_BIN_EXE_ch12-aim-at-the-light"), "ch12");
+    for way in ["uniform", "cosine", "aim"] {
+        for angle in ["14", "1", "03", "01", "003", "001", "0003"] {
+            near(&data, &format!("{way}_{angle}"));
+        }
+        near(&data, &format!("solid_{way}_03"));
+        near(&data, &format!("solid_{way}_01"));
+    }
+    let value = |name: &str| number(&data, name, "value");
+    for name in ["slope_uniform", "slope_cosine"] {
+        near(&data, name);
+        assert!((value(name) + 1.0).abs() <= 0.03, "{name}: {}", value(name));
+    }
+    for name in [
+        "lamps_all",
+        "lamps_uniform",
+        "lamps_power",
+        "lamps_given",
+        "mirror_sphere",
+        "mirror_chance",
+        "floor_twice",
+    ] {
+        near(&data, name);
+    }
+    // The mistake is out of the right one's reach.
+    let off = value("floor_twice") - 1.0;
+    assert!(off > 8.0 * number(&data, "floor_twice", "error"), "{off}");
+    // The image of a point lamp is missing, and nothing else is.
+    let direct = value("mirror_point") / value("mirror_direct");
+    assert!((direct - 1.0).abs() < 1e-5, "{direct}");
+    assert!(value("mirror_image") > 0.1 * value("mirror_direct"));
+    assert_eq!(value("lamps_all_rays"), 10.0);
+    assert_eq!(value("lamps_power_rays"), 3.0);
+    assert!(value("gain") > 1e6);
+}
+
+#[test]
+fn ch13_combine() {
+    let data = check(env!("CARGO_BIN_EXE_ch13-combine"), "ch13");
+    let value = |name: &str| number(&data, name, "value");
+    for size in [1, 2, 5, 10, 20, 30, 50, 70, 90, 110, 130, 150] {
+        let [chance, aiming, balance, power] =
+            ["chance", "aiming", "balance", "power"].map(|way| {
+                let name = format!("variance_{way}_{size}");
+                let [value, exact, error] =
+                    ["value", "exact", "error"].map(|p| number(&data, &name, p));
+                let z = (value - exact) / error;
+                assert!(z.abs() <= 4.0, "{name}: {value} for {exact}, z = {z}");
+                value
+            });
+        let bound = value(&format!("bound_{size}"));
+        assert!(balance <= bound && power <= bound, "{size}");
+        assert!(balance.max(power) <= chance.max(aiming), "{size}");
+    }
+    assert!(value("largest_z") <= 4.0);
+    for way in ["chance", "aiming", "balance"] {
+        for size in [3, 100, 150] {
+            near(&data, &format!("length_{way}_{size}"));
+        }
+    }
+    for (way, albedo) in [("chance", 50), ("aiming", 50), ("both", 50), ("both", 75)] {
+        let name = format!("furnace_{way}_{albedo}");
+        let [value, exact, error] = ["value", "exact", "error"].map(|p| number(&data, &name, p));
+        assert!(
+            (value - exact).abs() <= 4.0 * error + 1e-5,
+            "{name}: {value}"
+        );
+    }
+    for slip in ["twice", "density", "one", "both", "selection"] {
+        near(&data, &format!("slip_{slip}"));
+        let z = value(&format!("slip_z_{slip}")).abs();
+        assert_eq!(z > 4.4, slip != "both", "{slip}: {z}");
+    }
+    // Combined walks beat both techniques where there is something of everything.
+    let price = |way: &str| value(&format!("plates_variance_{way}"));
+    assert!(price("power") < price("chance") && price("power") < price("aiming"));
+}
+
+#[test]
+fn ch11_roulette() {
+    let data = check(env!("CARGO_BIN_EXE_ch11-roulette"), "ch11");
+    let value = |name: &str| number(&data, name, "value");
+    for cut in ["50_2", "50_5", "80_5", "80_20", "90_8", "90_43"] {
+        let name = format!("lost_{cut}");
+        assert!(
+            (value(&name) - number(&data, &name, "exact")).abs() < 1e-3,
+            "{name}"
+        );
+    }
+    for survival in [80, 90, 95] {
+        near(&data, &format!("mean_{survival}"));
+        near(&data, &format!("variance_{survival}"));
+        let name = format!("variance_{survival}");
+        let ratio = value(&name) / number(&data, &name, "exact");
+        assert!((ratio - 1.0).abs() < 0.1, "{name}: {ratio}");
+    }
+    // Where no variance can be trusted, the common walks can.
+    for survival in [50, 65, 80, 90, 95] {
+        near(&data, &format!("common_{survival}"));
+    }
+    for name in [
+        "clamp_10",
+        "clamp_30",
+        "clamp_100",
+        "reached",
+        "white_segments",
+    ] {
+        near(&data, name);
+    }
+    assert!(value("clamp_lost_10") > value("clamp_lost_100"));
+    assert!(value("clamp_lost_100") > 1.0, "percent");
+    near(&data, "dark_roulette");
+    assert!(value("dark_variance_cut") < 1e-12);
+    let hurt = value("dark_variance_roulette") / number(&data, "dark_variance_roulette", "exact");
+    assert!((hurt - 1.0).abs() < 0.1, "{hurt}");
+    assert!(value("box_gain") > 1.0);
+}
