@@ -21,6 +21,7 @@ mod notation;
 mod path;
 mod peers;
 mod table;
+mod six_integrals;
 mod tidy;
 mod truth;
 mod twins;

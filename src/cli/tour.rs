@@ -15,6 +15,7 @@ const CHAPTERS: &[(&str, &str)] = &[
     ("ch05", "ch05-half-disk"),
     ("ch06", "ch06-bending"),
     ("ch07", "ch07-gather"),
+    ("ch08", "ch08-six-integrals"),
     ("ch09", "ch09-one-ray"),
     ("ch11", "ch11-roulette"),
     ("ch12", "ch12-aim-at-the-light"),

@@ -9,7 +9,8 @@
 //!   [`pick_one`]: one lamp of many; [`split`]: several paths from the first surface;
 //! * [`aperture`], [`two_ways`]: light that looks for the eye;
 //! * [`overhead`]: one lamp found by chance, by aiming, by both;
-//! * [`survival`]: walks that end by chance, and what that costs.
+//! * [`survival`]: walks that end by chance, and what that costs;
+//! * [`profiles`]: integrals of a picture one at a time, against closed forms.
 
 pub mod aperture;
 pub mod directions;
@@ -22,6 +23,7 @@ pub mod mistakes;
 pub mod overhead;
 pub mod pick_one;
 pub mod plane_world;
+pub mod profiles;
 pub mod scene_world;
 pub mod shrinking_lamp;
 pub mod split;

@@ -7,6 +7,7 @@
 //! | [`Kajiya`] | `L(S\|G\|D)*E`, lamps with extent and the background | one random walk |
 //! | [`Roulette`] | the same, without a depth cut | the walk, which ends by chance |
 //! | [`NextEvent`] | the same; of lights without extent `L(D\|G)(S\|G\|D)*E` | the walk, and shadow rays |
+//! | [`Distributed`] | the same | `next_event`; every integral can be left out |
 //! | [`WhichRay`] | the same | shadow rays, and one ray whose kind is chosen |
 //! | [`Combine`] | the same | both, weighted |
 //! | [`Path`] | the same | all of it: the one to use |
@@ -15,6 +16,7 @@
 //! a flag of another one. They share the floors below, never each other's lines.
 
 mod combine;
+mod distributed;
 mod kajiya;
 mod next_event;
 mod onward;
@@ -27,6 +29,7 @@ mod which_ray;
 mod whitted;
 
 pub use combine::{Combine, Shares};
+pub use distributed::{Distributed, Integral};
 pub use kajiya::Kajiya;
 pub use next_event::NextEvent;
 pub use path::Path;

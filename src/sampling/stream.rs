@@ -29,6 +29,9 @@ pub enum Purpose {
     Time = 8,
     /// Whether a path goes on at all.
     Survival = 9,
+    /// Which facet of a rough surface a path goes on by, where that is told from
+    /// [`Purpose::Direction`].
+    Facet = 10,
 }
 
 /// How the points of a pixel's samples lie to each other, dimension by dimension.

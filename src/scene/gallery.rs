@@ -29,6 +29,7 @@ pub const GALLERY: &[(&str, &str)] = &[
     ),
     ("lens", include_str!("../../examples/scenes/lens.toml")),
     ("motion", include_str!("../../examples/scenes/motion.toml")),
+    ("six", include_str!("../../examples/scenes/six.toml")),
     (
         "whitted",
         include_str!("../../examples/scenes/whitted.toml"),
