@@ -257,28 +257,3 @@ fn ch06_bending() {
         assert!((slope - law).abs() < within, "{name}: {slope}");
     }
 }
-
-#[test]
-fn ch08_six_integrals() {
-    let data = check(env!("CARGO_BIN_EXE_ch08-six-integrals"), "ch08");
-    for name in ["pixel", "light", "lens", "time", "gloss", "hemisphere"] {
-        let z = number(&data, &format!("z_{name}"), "value");
-        assert!(z <= 4.0, "{name}: {z}");
-        let variance = |name: &str| number(&data, &format!("variance_{name}"), "value");
-        assert!(variance(name) > 0.0 && variance(name) < variance("all"));
-        let asked = number(&data, &format!("asked_{name}"), "value");
-        assert_eq!(asked, 2.0, "{name}: a camera ray and a shadow ray");
-        if name != "gloss" {
-            assert_eq!(number(&data, &format!("first_{name}"), "value"), 3.0);
-        }
-    }
-    for name in ["first_none", "asked_none", "asked_all"] {
-        let rays = if name == "first_none" { 3.0 } else { 2.0 };
-        assert_eq!(number(&data, name, "value"), rays, "{name}");
-    }
-    for name in ["width_light", "width_lens", "width_time", "groove", "cone"] {
-        near(&data, name);
-    }
-    let off = number(&data, "lobe", "value") - number(&data, "lobe", "exact");
-    assert!(off.abs() < 1e-7);
-}

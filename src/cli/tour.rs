@@ -17,6 +17,7 @@ const CHAPTERS: &[(&str, &str)] = &[
     ("ch07", "ch07-gather"),
     ("ch08", "ch08-six-integrals"),
     ("ch09", "ch09-one-ray"),
+    ("ch10", "ch10-which-ray"),
     ("ch11", "ch11-roulette"),
     ("ch12", "ch12-aim-at-the-light"),
     ("ch13", "ch13-combine"),

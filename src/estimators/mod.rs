@@ -4,6 +4,7 @@
 //! * [`directions`], [`gather`]: the light over a surface, in the flat world and in space;
 //! * [`world`], [`worlds`], [`scene_world`]: where the gathering happens;
 //! * [`furnace`]: the reading every right estimator must give;
+//! * [`mixed_furnace`]: the choice of one ray among three, under light from everywhere;
 //! * [`mistakes`], [`doctor`]: what wrong ones read, and how to tell;
 //! * [`walks`]: many walks along one ray; [`shrinking_lamp`]: chance and aim under a small lamp;
 //!   [`pick_one`]: one lamp of many; [`split`]: several paths from the first surface;
@@ -20,6 +21,7 @@ pub mod gather;
 pub mod hit_or_miss;
 pub mod many_dimensions;
 pub mod mistakes;
+pub mod mixed_furnace;
 pub mod overhead;
 pub mod pick_one;
 pub mod plane_world;

@@ -147,3 +147,65 @@ fn ch11_roulette() {
     assert!((hurt - 1.0).abs() < 0.1, "{hurt}");
     assert!(value("box_gain") > 1.0);
 }
+
+#[test]
+fn ch08_six_integrals() {
+    let data = check(env!("CARGO_BIN_EXE_ch08-six-integrals"), "ch08");
+    for name in ["pixel", "light", "lens", "time", "gloss", "hemisphere"] {
+        let z = number(&data, &format!("z_{name}"), "value");
+        assert!(z <= 4.0, "{name}: {z}");
+        let variance = |name: &str| number(&data, &format!("variance_{name}"), "value");
+        assert!(variance(name) > 0.0 && variance(name) < variance("all"));
+        let asked = number(&data, &format!("asked_{name}"), "value");
+        assert_eq!(asked, 2.0, "{name}: a camera ray and a shadow ray");
+        if name != "gloss" {
+            assert_eq!(number(&data, &format!("first_{name}"), "value"), 3.0);
+        }
+    }
+    for name in ["first_none", "asked_none", "asked_all"] {
+        let rays = if name == "first_none" { 3.0 } else { 2.0 };
+        assert_eq!(number(&data, name, "value"), rays, "{name}");
+    }
+    for name in ["width_light", "width_lens", "width_time", "groove", "cone"] {
+        near(&data, name);
+    }
+    let off = number(&data, "lobe", "value") - number(&data, "lobe", "exact");
+    assert!(off.abs() < 1e-7);
+}
+
+#[test]
+fn ch10_which_ray() {
+    let data = check(env!("CARGO_BIN_EXE_ch10-which-ray"), "ch10");
+    for name in ["diffuse", "specular", "transmitted", "room_absorb"] {
+        near(&data, name);
+    }
+    for rule in ["equal", "mean", "luminance", "analog"] {
+        let name = format!("furnace_{rule}");
+        let [value, exact, error] = ["value", "exact", "error"].map(|p| number(&data, &name, p));
+        assert!((value - exact).abs() <= 4.0 * error + 1e-6, "{name}");
+        for mixture in ["grey", "faint", "plastic", "prism"] {
+            near(&data, &format!("variance_{mixture}_{rule}"));
+        }
+    }
+    assert!(number(&data, "p_shares", "value") > 1e-3);
+    assert!(number(&data, "p_thirds", "value") < 1e-6);
+    // Without a weight everything reflects everything, far from the truth.
+    assert_eq!(number(&data, "furnace_forgotten", "value"), 1.0);
+    for (name, widest) in [("slab_through", 0.005), ("slab_back", 0.05)] {
+        near(&data, name);
+        let [exact, error] = ["exact", "error"].map(|p| number(&data, name, p));
+        assert!(4.0 * error < widest * exact, "{name}: {error}");
+    }
+    for name in ["left_right", "left_none", "left_more"] {
+        let ratio = number(&data, name, "value") / number(&data, name, "exact");
+        assert!((ratio - 1.0).abs() < 1e-5, "{name}: {ratio}");
+    }
+    assert!((number(&data, "left_more", "value") - 6.19).abs() < 0.01);
+    // By weight: no variance, all rays. Absorbed: variance, and as many rays as light.
+    assert_eq!(number(&data, "room_variance_weight", "value"), 0.0);
+    assert_eq!(number(&data, "room_rays_weight", "value"), 40.0);
+    let [value, exact] = ["value", "exact"].map(|p| number(&data, "room_variance_absorb", p));
+    assert!((value / exact - 1.0).abs() < 0.03, "{value} for {exact}");
+    let rays = number(&data, "room_rays_absorb", "value");
+    assert!((rays / number(&data, "room_absorb", "value") - 1.0).abs() < 1e-6);
+}
