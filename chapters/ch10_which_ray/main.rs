@@ -89,8 +89,9 @@ fn work(desk: &mut Desk) -> Result<Ledger, DeskError> {
         desk.estimate(&format!("slab_{name}"), &says, &read, Some(exact));
         worst = worst.max(z(&read, exact));
     }
-    let per_path = slab_rays as f64 / f64::from(paths);
-    desk.value("slab_rays", "glass slab: rays of a path", per_path);
+    let per_path: Estimate = found.iter().map(|(_, rays)| *rays as f64).collect();
+    let says = "glass slab: rays of a path";
+    desk.estimate("slab_rays", says, &per_path, Some(3.0));
 
     // The same picture by each rule: the light is the same, the variance is not.
     let small = gallery::load_with("mixture", |said| said.film.size = [48, 48])?;

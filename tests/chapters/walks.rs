@@ -176,7 +176,13 @@ fn ch08_six_integrals() {
 #[test]
 fn ch10_which_ray() {
     let data = check(env!("CARGO_BIN_EXE_ch10-which-ray"), "ch10");
-    for name in ["diffuse", "specular", "transmitted", "room_absorb"] {
+    for name in [
+        "diffuse",
+        "specular",
+        "transmitted",
+        "room_absorb",
+        "slab_rays",
+    ] {
         near(&data, name);
     }
     for rule in ["equal", "mean", "luminance", "analog"] {
