@@ -9,6 +9,7 @@ use halfdisk::render::{Film, Options, Rendered, render};
 use halfdisk::sampling::stream::Purpose;
 use halfdisk::scene::description::Description;
 use halfdisk::scene::gallery;
+use halfdisk::scene::read::Source;
 use halfdisk::space::{Flat, Solid};
 use std::f64::consts::{LN_2, PI};
 
@@ -191,4 +192,37 @@ fn all_six_together_are_what_the_walks_see() {
     assert!(apart(&shorter, &walk) > 4.4);
     let sharp = six(&Distributed { max_depth }, Integral::NONE, 1, 1).film;
     assert!((sharp.mean().0 - walk.mean().0).abs() > 0.005);
+}
+
+#[test]
+fn s0_08_all_but_the_light_of_a_point_through_glass() {
+    let under_glass = |lamp: &str| {
+        let text = format!(
+            "name = 'pane'\nfilm.size = [4, 4]\nmaterials.half.lambert.albedo = 0.5\n\
+             materials.pane.glass.ior = 1.5\n\
+             camera = {{ from = [0, 0.5, 0], to = [0, 0, 0], up = [0, 0, -1], fov = 30 }}\n\
+             [[objects]]\nmaterial = 'half'\n\
+             quad = {{ corner = [-9, 0, 9], u = [18, 0, 0], v = [0, 0, -18] }}\n\
+             [[objects]]\nmaterial = 'pane'\n\
+             box = {{ min = [-9, 1, -9], max = [9, 1.1, 9] }}\n{lamp}\n"
+        );
+        let source = Source {
+            file: "pane",
+            text: &text,
+        };
+        let scene = gallery::from_text(source, None, |_| {}).unwrap();
+        let options = Options {
+            spp: 1024,
+            ..Options::default()
+        };
+        render(&scene, &Distributed { max_depth: 5 }, &options, &()).film
+    };
+    let ball = under_glass("[[objects]]\nemits = 9\nsphere = { center = [0, 3, 0], radius = 0.5 }");
+    let point = under_glass("[[lights]]\npoint = { position = [0, 3, 0], intensity = 7 }");
+    let (mean, error) = ball.mean();
+    println!(
+        "a ball's light {mean:.4} ± {error:.4}, a point's {}",
+        point.mean().0
+    );
+    assert!(mean > 4.4 * error && point.max() == 0.0);
 }
