@@ -1,5 +1,5 @@
 //! How long rays take: each shape, the tree against the plain loop, a mesh from near and far.
-#![allow(missing_docs)]
+#![allow(missing_docs, clippy::expect_used)]
 
 use criterion::{Criterion, Throughput, criterion_group, criterion_main};
 use glam::{DVec3, Vec3};

@@ -1,5 +1,5 @@
 //! How long whole pictures take: samples of each integrator on scenes of the gallery.
-#![allow(missing_docs)]
+#![allow(missing_docs, clippy::expect_used)]
 
 use criterion::measurement::WallTime;
 use criterion::{BenchmarkGroup, Criterion, Throughput, criterion_group, criterion_main};

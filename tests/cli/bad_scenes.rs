@@ -161,7 +161,7 @@ point = | spot = | lights[0].spot | allowed: `point` or `directional`
 intensity = | power = | lights[0].point.power | `position` or `intensity`
 irradiance = | power = | lights[1].directional.power | `irradiance`
 sphere = | ball = | objects[1].ball | `sphere`, `quad`
-radius = 0.5 | r = 0.5 | objects[1].sphere.r | `center` or `radius`
+radius = 0.5 | r = 0.5 | objects[1].sphere.r | `center`, `radius`, `inward`
 v = [0, 0, -6] | w = [0, 0, -6] | objects[0].quad.w | `corner`, `u`, `v`
 c = [0, 1, 0] | d = [0, 1, 0] | objects[2].triangle.d | `a`, `b`, `c`
 max = [-1, 1, 0] | top = [-1, 1, 0] | objects[3].box.top | `min` or `max`
