@@ -43,7 +43,7 @@ fn work(desk: &mut Desk) -> Result<Ledger, DeskError> {
         let off = row.iter().map(|r| (r.read.mean() - r.exact).abs());
         let name = figures::name(profile.integral);
         let says = format!("{name}: largest distance from the closed form in standard errors");
-        desk.value(&format!("z_{name}"), &says, z);
+        desk.value(&format!("z_{name}"), &says, (100.0 * z).round() / 100.0);
         let says = format!("{name}: largest distance from the closed form");
         desk.value(&format!("off_{name}"), &says, off.fold(0.0, f64::max));
         if let (Some((width, error)), Some(exact)) = (profile.width_of(&row), profile.width) {
