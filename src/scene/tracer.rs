@@ -1,8 +1,9 @@
 //! How integrators look at a scene; every ray they ask for is counted.
 
+use super::motion::InMotion;
 use super::{Object, Scene};
 use crate::color::Rgb;
-use crate::geometry::{Ray, Surface};
+use crate::geometry::{Found, Ray, Surface};
 use crate::lights::LightSample;
 use glam::Vec3;
 use std::ops::AddAssign;
@@ -134,32 +135,56 @@ impl<'a> Tracer<'a> {
         (span != Vec3::ZERO).then(|| span * self.time)
     }
 
+    #[inline]
     fn first_hit(&self, ray: &Ray) -> Option<Hit<'a>> {
         let scene = self.scene;
-        let still = scene.bvh.first(ray).map(|found| {
-            let object = scene.object_of_shape[found.id as usize];
-            (found.crossing.t, object, found)
-        });
+        let still = scene.bvh.first(ray);
         if let Some(in_motion) = &scene.in_motion {
-            let t_max = still.as_ref().map_or(ray.t_max, |(t, ..)| *t);
-            let ahead = Ray { t_max, ..*ray };
-            if let Some(found) = in_motion.bvh.first(&ahead, self.time) {
-                let t = found.crossing.t;
-                let object = in_motion.object_of_shape[found.id as usize];
-                // Of two at the same distance the one that comes first in the file.
-                if still.is_none_or(|(other, first, _)| (t, object) < (other, first)) {
-                    return Some(Hit {
-                        t,
-                        surface: found.shape.surface(ray, self.time, found.crossing),
-                        object: &scene.objects[object as usize],
-                    });
-                }
+            return self.first_of_both(in_motion, still, ray);
+        }
+        still.map(|found| scene.hit(ray, &found))
+    }
+
+    /// What a ray meets first of what stands still, if `still` is the first of that, and of what
+    /// moves; of two at the same distance the one that comes first in the file.
+    #[inline(never)]
+    fn first_of_both(
+        &self,
+        in_motion: &InMotion,
+        still: Option<Found>,
+        ray: &Ray,
+    ) -> Option<Hit<'a>> {
+        let scene = self.scene;
+        let t_max = still.map_or(ray.t_max, |found| found.crossing.t);
+        let ahead = Ray { t_max, ..*ray };
+        if let Some(found) = in_motion.bvh.first(&ahead, self.time) {
+            let t = found.crossing.t;
+            let object = in_motion.object_of_shape[found.id as usize];
+            let first = still.is_none_or(|other| {
+                let before = scene.object_of_shape[other.id as usize];
+                (t, object) < (other.crossing.t, before)
+            });
+            if first {
+                return Some(Hit {
+                    t,
+                    surface: found.shape.surface(ray, self.time, found.crossing),
+                    object: &scene.objects[object as usize],
+                });
             }
         }
-        still.map(|(t, object, found)| Hit {
-            t,
+        still.map(|found| scene.hit(ray, &found))
+    }
+}
+
+impl Scene {
+    /// The hit of a ray with a shape that stands still.
+    #[inline]
+    fn hit(&self, ray: &Ray, found: &Found) -> Hit<'_> {
+        let object = self.object_of_shape[found.id as usize];
+        Hit {
+            t: found.crossing.t,
             surface: found.shape.surface(ray, found.crossing),
-            object: &scene.objects[object as usize],
-        })
+            object: &self.objects[object as usize],
+        }
     }
 }
