@@ -194,7 +194,7 @@ fn wrong_densities_are_rejected() {
     for alpha in [0.1, 0.3, 1.0] {
         let material = glossy(alpha);
         let right = |wi| f64::from(material.pdf(wo, wi));
-        let reject = |what: &str, pdf: &dyn Fn(Vec3) -> f64| {
+        let reject = |what: &str, pdf: &(dyn Fn(Vec3) -> f64 + Sync)| {
             let fault = fault(|i| drawn(&material, wo, i), pdf);
             println!("{what}, {alpha}: {fault:?}");
             assert!(fault.is_some(), "{what}, {alpha}");
