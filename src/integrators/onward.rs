@@ -13,7 +13,7 @@ use crate::scene::{Scene, SeenCasters};
 use glam::Vec3;
 
 /// The share of rays that look towards mirrors and glass, where a point sees some.
-const TOWARDS_CASTERS: f32 = 0.5;
+const TOWARDS_CASTERS: f32 = 0.3;
 
 /// A surface, and what it may look for.
 pub(super) struct Onward<'a> {

@@ -6,7 +6,7 @@
 //!
 //! Differs from `combine`: one lamp is chosen by its power where that asks all, so that a scene may
 //! have thousands; a path that carries little may end before the depth cut; and where a scene has
-//! mirrors or glass, half of the rays from other surfaces look there, for no shadow ray finds the
+//! mirrors or glass, some of the rays from other surfaces look there, for no shadow ray finds the
 //! light they focus. It is the ladder's last rung and puts its steps together; most have a rung of
 //! their own.
 //!

@@ -41,9 +41,10 @@ pub enum Sampler {
     /// Each without regard to the others. Their scatter tells the error of their mean.
     #[default]
     Independent,
-    /// Evenly: Owen-scrambled Sobol' points, four dimensions for each purpose at each place,
-    /// scrambled on their own. The mean of `2^k` samples is closer to the truth than their scatter
-    /// tells.
+    /// Evenly: Owen-scrambled Sobol' points, four dimensions for each purpose at each of the first
+    /// places, scrambled on their own. The mean of `2^k` samples is closer to the truth than their
+    /// scatter tells. What is decided later depends on so many numbers before it that evenness is
+    /// lost on it, and is left to independent numbers.
     ///
     /// Sources: Owen, Randomly Permuted (t,m,s)-Nets and (t,s)-Sequences (MCQMC 1995); Burley,
     /// Practical Hash-based Owen Scrambling (JCGT 9(4), 2020).
@@ -63,6 +64,9 @@ pub struct Stream {
 
 /// Points of a Sobol' sequence that can be told apart in `f32`; later ones start another.
 const SOBOL_POINTS: u32 = 1 << 16;
+/// The last place whose points lie evenly: in a Cornell box a picture without those of later bounces
+/// is as good, and takes less time.
+const LAST_EVEN_PLACE: u64 = 3;
 
 impl Stream {
     /// The numbers of sample `sample` of pixel `pixel` (row-major index) in the picture of `seed`,
@@ -115,6 +119,7 @@ impl Stream {
         }
         Numbers(match self.sampler {
             Sampler::Independent => Kind::Independent(rest),
+            Sampler::Sobol if place > LAST_EVEN_PLACE => Kind::Independent(rest),
             Sampler::Sobol => Kind::Even {
                 point: sobol_burley::sample_4d(self.index, 0, state as u32),
                 drawn: 0,
@@ -246,6 +251,24 @@ mod tests {
         let mut seen = std::collections::BTreeSet::new();
         for i in 0..256 {
             let [x, y] = Stream::new(7, 5, i).at(2, Purpose::Pixel).two();
+            seen.insert(((x * 16.0) as u32, (y * 16.0) as u32));
+        }
+        assert!(seen.len() < 200, "{}", seen.len());
+    }
+
+    #[test]
+    fn late_places_have_independent_numbers() {
+        let of = |sampler, place| {
+            Stream::with(sampler, 7, 5, 9)
+                .at(place, Purpose::Direction)
+                .two()
+        };
+        assert_ne!(of(Sampler::Sobol, 4), of(Sampler::Sobol, 5));
+        let mut seen = std::collections::BTreeSet::new();
+        for i in 0..256 {
+            let [x, y] = Stream::with(Sampler::Sobol, 7, 5, i)
+                .at(4, Purpose::Pixel)
+                .two();
             seen.insert(((x * 16.0) as u32, (y * 16.0) as u32));
         }
         assert!(seen.len() < 200, "{}", seen.len());
