@@ -48,8 +48,10 @@ fn on_every_scene_of_the_gallery() {
             z.of_means,
             z.largest
         );
-        assert!(!(z.of_means.abs() > CRITICAL), "{name}");
-        assert!(!(z.largest > 6.0), "{name}");
+        // Pictures without noise are equal, and 0 / 0 errors apart.
+        let agree = |z: f64, line| z.is_nan() || z.abs() <= line;
+        assert!(agree(z.of_means, CRITICAL), "{name}");
+        assert!(agree(z.largest, 6.0), "{name}");
     }
 }
 
