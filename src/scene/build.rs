@@ -5,14 +5,14 @@ mod materials;
 use super::description::{self as said, Description};
 use super::field::{self, Checked, Field, exactly_one};
 use super::motion::{self, Shutter};
+use super::parts::Parts;
 use super::placement::Placement;
-use super::{BuildReport, Casters, Object, Scene, Suggested, lamps, mesh_file, procedural};
+use super::{BuildReport, Casters, Scene, Suggested, lamps, mesh_file, procedural};
 use crate::camera::{Camera, Lens};
 use crate::geometry::{Bvh, Mesh, Quad, Shape, Sphere};
-use crate::lights::{Light, LightChoice};
+use crate::lights::LightChoice;
 use crate::materials::Material;
 use glam::{DVec3, Vec3};
-use std::collections::BTreeMap;
 use std::path::Path;
 use std::time::Duration;
 
@@ -131,37 +131,7 @@ fn lens(field: &Field, said: &said::Camera, distance: f64) -> Checked<Option<Len
     }))
 }
 
-/// A scene while it is put together.
-pub(super) struct Parts<'a> {
-    /// The camera's place: all coordinates become relative to it.
-    origin: DVec3,
-    folder: Option<&'a Path>,
-    shutter: Shutter,
-    materials: BTreeMap<String, Material>,
-    /// All shapes, where they are when the shutter opens, and the objects they belong to.
-    pub(super) all: Vec<(Shape, u32)>,
-    pub(super) objects: Vec<Object>,
-    /// The way of each object while the shutter is open.
-    spans: Vec<Vec3>,
-    pub(super) lights: Vec<Light>,
-    degenerate_triangles: usize,
-}
-
 impl Parts<'_> {
-    fn relative(&self, p: DVec3) -> Vec3 {
-        (p - self.origin).as_vec3()
-    }
-
-    /// The same for a point that is worth nothing where `f32` cannot hold it.
-    pub(super) fn within_reach(&self, field: &Field, p: DVec3) -> Checked<Vec3> {
-        let p = self.relative(p);
-        if p.is_finite() {
-            Ok(p)
-        } else {
-            Err(field.problem("must be at most 3.4e38 away from the camera"))
-        }
-    }
-
     fn add_object(&mut self, field: &Field, said: &said::Object) -> Checked<()> {
         let material = match &said.material {
             Some(name) => Some(self.material_named(&field.key("material"), name)?),

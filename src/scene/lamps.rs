@@ -1,10 +1,10 @@
 //! Lights, as a scene is put together: those without a surface, shapes that shine, what is beyond.
 
 use super::Object;
-use super::build::Parts;
 use super::description as said;
 use super::field::{self, Checked, Field, exactly_one};
 use super::image_file;
+use super::parts::Parts;
 use crate::color::Rgb;
 use crate::geometry::Shape;
 use crate::lights::{

@@ -13,6 +13,7 @@ pub mod image_file;
 mod lamps;
 mod mesh_file;
 mod motion;
+mod parts;
 mod placement;
 mod procedural;
 pub mod read;

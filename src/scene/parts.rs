@@ -1,0 +1,44 @@
+//! What a scene is put together from.
+
+use super::Object;
+use super::field::{Checked, Field};
+use super::motion::Shutter;
+use crate::geometry::Shape;
+use crate::lights::Light;
+use crate::materials::Material;
+use glam::{DVec3, Vec3};
+use std::collections::BTreeMap;
+use std::path::Path;
+
+/// A scene while it is put together.
+pub(super) struct Parts<'a> {
+    /// The camera's place: all coordinates become relative to it.
+    pub(super) origin: DVec3,
+    pub(super) folder: Option<&'a Path>,
+    pub(super) shutter: Shutter,
+    pub(super) materials: BTreeMap<String, Material>,
+    /// All shapes, where they are when the shutter opens, and the objects they belong to.
+    pub(super) all: Vec<(Shape, u32)>,
+    pub(super) objects: Vec<Object>,
+    /// The way of each object while the shutter is open.
+    pub(super) spans: Vec<Vec3>,
+    pub(super) lights: Vec<Light>,
+    pub(super) degenerate_triangles: usize,
+}
+
+impl Parts<'_> {
+    /// A point, relative to the camera.
+    pub(super) fn relative(&self, p: DVec3) -> Vec3 {
+        (p - self.origin).as_vec3()
+    }
+
+    /// The same for a point that is worth nothing where `f32` cannot hold it.
+    pub(super) fn within_reach(&self, field: &Field, p: DVec3) -> Checked<Vec3> {
+        let p = self.relative(p);
+        if p.is_finite() {
+            Ok(p)
+        } else {
+            Err(field.problem("must be at most 3.4e38 away from the camera"))
+        }
+    }
+}
