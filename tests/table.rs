@@ -323,6 +323,13 @@ fn walks_in_the_flat_world_meet_its_closed_forms() {
         ("lamp", Vec2::new(0.0, 0.5), 2, lamp),
         // The solution of the integral equation; fewer than one part in 10⁹ comes by longer paths.
         ("room", Vec2::new(0.5, 0.5), 32, 0.330_679_4),
+        // Two endless plates that light each other: a geometric series.
+        (
+            "plates",
+            Vec2::new(0.0, 0.5),
+            40,
+            flatland::exact::plates(1.0, 0.9, 0.5),
+        ),
     ] {
         let world = flatland::load(name).unwrap();
         let down = space::Ray {

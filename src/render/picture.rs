@@ -91,7 +91,8 @@ mod tests {
         assert_eq!(squares.values, [[3.0, 1.0, 0.0], [5.0, 1.0, 0.0]]);
         assert_eq!(squares.errors, Some(vec![[1.0, 0.5, 0.0]; 2]));
         let (mean, error) = squares.mean();
-        assert_eq!(mean, 5.0 / 3.0);
-        assert_eq!(error, Some(0.5_f64.hypot(0.5) / 2.0));
+        assert!((mean - 5.0 / 3.0).abs() < 1e-15, "{mean}");
+        let expected = 0.5_f64.hypot(0.5) / 2.0;
+        assert!(error.is_some_and(|e| (e - expected).abs() < 1e-15));
     }
 }
