@@ -3,7 +3,7 @@
 
 use criterion::measurement::WallTime;
 use criterion::{BenchmarkGroup, Criterion, Throughput, criterion_group, criterion_main};
-use halfdisk::integrators::{Integrator, Kajiya, NextEvent, Whitted};
+use halfdisk::integrators::{Integrator, Kajiya, NextEvent, Path, Whitted};
 use halfdisk::render::{Options, render};
 use halfdisk::scene::description::Description;
 use halfdisk::scene::gallery;
@@ -29,6 +29,7 @@ fn pictures(c: &mut Criterion) {
         picture(&mut group, scene, "whitted", &Whitted { max_depth: 8 });
         picture(&mut group, scene, "kajiya", &Kajiya { max_depth: 8 });
         picture(&mut group, scene, "next-event", &NextEvent { max_depth: 8 });
+        picture(&mut group, scene, "path", &Path::new(8));
     }
     group.finish();
 }
