@@ -2,14 +2,10 @@
 
 use super::{Stop, answer, use_threads};
 use crate::desk::{Bar, on_ctrl_c};
-use crate::integrators::{
-    Albedo, Combine, Depth, Integrator, Kajiya, NextEvent, Normals, Path as PathTracer, Roulette,
-    Survival, WhichRay, Whitted,
-};
-use crate::materials::Choice;
+use crate::integrators::{Albedo, Depth, Integrator, Named, Normals, Whitted};
 use crate::output::{self, Display, Provenance};
 use crate::render::{self, Options, Rendered};
-use crate::sampling::{mis::Heuristic, stream::Sampler};
+use crate::sampling::stream::Sampler;
 use crate::scene::{Scene, build::film_size, field::Field, gallery};
 use clap::{Args, ValueEnum};
 use serde_json::json;
@@ -133,32 +129,18 @@ impl Render {
         output::prepare(&path)?;
         use_threads(self.threads)?;
 
+        let light = |named: Named| self.with(&scene, &named.with(max_depth));
         let rendered = match self.integrator {
-            Method::Whitted => self.with(&scene, &Whitted { max_depth }),
-            Method::Kajiya => self.with(&scene, &Kajiya { max_depth }),
-            Method::NextEvent => self.with(&scene, &NextEvent { max_depth }),
-            Method::WhichRay => {
-                let choice = Choice::ByMean;
-                self.with(&scene, &WhichRay { max_depth, choice })
-            }
-            Method::Combine => {
-                let heuristic = Heuristic::Power;
-                self.with(
-                    &scene,
-                    &Combine {
-                        max_depth,
-                        heuristic,
-                    },
-                )
-            }
-            Method::Roulette => {
-                let survival = Survival::Throughput(0.05);
-                self.with(&scene, &Roulette { survival })
-            }
-            Method::Path => self.with(&scene, &PathTracer::new(max_depth)),
             Method::Normals => self.with(&scene, &Normals),
             Method::Albedo => self.with(&scene, &Albedo),
             Method::Depth => self.with(&scene, &Depth),
+            Method::Whitted => light(Named::Whitted),
+            Method::Kajiya => light(Named::Kajiya),
+            Method::WhichRay => light(Named::WhichRay),
+            Method::Roulette => light(Named::Roulette),
+            Method::NextEvent => light(Named::NextEvent),
+            Method::Combine => light(Named::Combine),
+            Method::Path => light(Named::Path),
         };
         let display = match self.integrator {
             Method::Normals | Method::Albedo => Display::Data { white: 1.0 },

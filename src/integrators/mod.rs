@@ -18,6 +18,7 @@
 mod combine;
 mod distributed;
 mod kajiya;
+mod named;
 mod next_event;
 mod onward;
 mod path;
@@ -31,6 +32,7 @@ mod whitted;
 pub use combine::{Combine, Shares};
 pub use distributed::{Distributed, Integral};
 pub use kajiya::Kajiya;
+pub use named::{Chosen, Named};
 pub use next_event::NextEvent;
 pub use path::Path;
 pub use roulette::{Roulette, Survival};
