@@ -17,6 +17,7 @@
 
 mod combine;
 mod distributed;
+pub mod follow;
 mod kajiya;
 mod named;
 mod next_event;

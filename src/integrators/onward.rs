@@ -7,7 +7,7 @@
 
 use super::walkable::SolidPoint;
 use crate::color::Rgb;
-use crate::materials::Material;
+use crate::materials::{Among, Event, kinds};
 use crate::sampling::stream::Numbers;
 use crate::scene::{Scene, SeenCasters};
 use glam::Vec3;
@@ -16,9 +16,11 @@ use glam::Vec3;
 const TOWARDS_CASTERS: f32 = 0.3;
 
 /// A surface, and what it may look for.
-pub(super) struct Onward<'a> {
+pub(super) struct Onward<'a, const KINDS: u8> {
     pub(super) at: &'a SolidPoint<'a>,
-    pub(super) material: Material,
+    pub(super) material: Among<KINDS>,
+    /// What its smooth part does with light; `None` where there is none.
+    pub(super) smooth: Option<Event>,
     seen: Option<SeenCasters>,
 }
 
@@ -30,16 +32,22 @@ pub(super) struct Step {
     pub(super) weight: Rgb,
     /// In 1/sr; `None` for a perfectly specular direction.
     pub(super) pdf: Option<f32>,
+    /// What happened.
+    pub(super) event: Event,
 }
 
-impl<'a> Onward<'a> {
-    pub(super) fn new(scene: &Scene, at: &'a SolidPoint<'a>, material: Material) -> Self {
-        let looks = !scene.casters.is_empty() && material.is_smooth();
-        let seen = looks.then(|| scene.casters.seen_from(at.hit.surface.p));
+impl<'a, const KINDS: u8> Onward<'a, KINDS> {
+    pub(super) fn new(scene: &Scene, at: &'a SolidPoint<'a>, material: Among<KINDS>) -> Self {
+        let smooth = material.smooth_event();
+        let casters = KINDS & kinds::SPECULAR != 0 && !scene.casters.is_empty();
+        let seen = (casters && smooth.is_some())
+            .then(|| scene.casters.seen_from(at.hit.surface.p))
+            .filter(|seen| !seen.is_empty());
         Onward {
             at,
             material,
-            seen: seen.filter(|seen| !seen.is_empty()),
+            smooth,
+            seen,
         }
     }
 
@@ -58,6 +66,7 @@ impl<'a> Onward<'a> {
                 direction: self.at.frame.to_world(drawn.wi).normalize(),
                 weight: drawn.weight,
                 pdf: drawn.pdf,
+                event: drawn.event,
             });
         };
         let (wi, direction) = if branch() < TOWARDS_CASTERS {
@@ -71,16 +80,19 @@ impl<'a> Onward<'a> {
                     direction,
                     weight: drawn.weight / (1.0 - TOWARDS_CASTERS),
                     pdf: None,
+                    event: drawn.event,
                 });
             }
             (drawn.wi, direction)
         };
+        let event = self.smooth?;
         let scattered = self.material.f(self.at.wo, wi) * wi.z.abs();
         let pdf = self.pdf(wi, direction);
         (!scattered.is_black() && pdf > 0.0).then(|| Step {
             direction,
             weight: scattered / pdf,
             pdf: Some(pdf),
+            event,
         })
     }
 

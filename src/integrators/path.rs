@@ -16,11 +16,13 @@
 //! 1996), "Projection maps", for looking where light is focused.
 
 use super::Integrator;
+use super::follow::{Everything, Follow};
 use super::onward::Onward;
 use super::walkable::SolidPoint;
 use crate::color::Rgb;
 use crate::geometry::{Ray, Surface};
 use crate::lights::Incident;
+use crate::materials::{Among, kinds};
 use crate::sampling::mis::Heuristic;
 use crate::sampling::stream::{Numbers, Purpose, Stream};
 use crate::scene::{Hit, Tracer};
@@ -54,17 +56,30 @@ impl Path {
     }
 }
 
-impl Integrator for Path {
+impl Path {
+    /// Follows one path, and tells `follow` all light it finds.
+    pub fn trace(&self, tracer: &mut Tracer, ray: &Ray, stream: &Stream, follow: &mut impl Follow) {
+        self.kernel::<{ kinds::ALL }, true>(tracer, ray, stream, follow);
+    }
+
     // ANCHOR: path
-    fn li(&self, tracer: &mut Tracer, ray: &Ray, stream: &Stream) -> Rgb {
-        let mut li = Rgb::BLACK;
+    /// The walk itself, for scenes whose materials are among `KINDS` (see [`kinds`]) and in which
+    /// something moves, or nothing does.
+    #[inline]
+    fn kernel<const KINDS: u8, const MOVES: bool>(
+        &self,
+        tracer: &mut Tracer<MOVES>,
+        ray: &Ray,
+        stream: &Stream,
+        follow: &mut impl Follow,
+    ) {
         let mut beta = Rgb::WHITE;
         let mut ray = *ray;
         let mut drawn = None;
         let mut hit = tracer.camera_ray(&ray);
         for depth in 1..=self.max_depth {
             // The light that comes along the path by itself.
-            li += beta * arriving(tracer, &ray, hit.as_ref(), drawn);
+            follow.arrived(beta * arriving(tracer, &ray, hit.as_ref(), drawn));
             let Some(here) = hit else { break };
             let Some(material) = here.object.material else {
                 break;
@@ -76,10 +91,10 @@ impl Integrator for Path {
             // The light of one lamp that is scattered once, here.
             let place = u64::from(depth);
             let at = SolidPoint::new(here, ray.direction);
-            let onward = Onward::new(tracer.scene(), &at, material);
-            if material.is_smooth() {
+            let onward = Onward::new(tracer.scene(), &at, Among::<KINDS>(material));
+            if let Some(last) = onward.smooth.filter(|&last| follow.wants(last)) {
                 let numbers = stream.at(place, Purpose::LightPoint);
-                li += beta * aim(tracer, &onward, numbers);
+                follow.aimed(last, beta * aim(tracer, &onward, numbers));
             }
 
             // Choose where to look next.
@@ -88,6 +103,9 @@ impl Integrator for Path {
             let Some(step) = onward.sample(&mut numbers, branch) else {
                 break;
             };
+            if !follow.scattered(step.event) {
+                break;
+            }
             beta *= step.weight;
 
             // Does the path go on? If so, it also stands for those that did not.
@@ -103,13 +121,53 @@ impl Integrator for Path {
             ray = here.surface.spawn(step.direction);
             hit = tracer.secondary_ray(&ray);
         }
-        li
     }
     // ANCHOR_END: path
 }
 
+// ANCHOR: kernels
+impl Integrator for Path {
+    /// By the kernel that knows what is in the scene and nothing else. What it leaves out could not
+    /// have happened, so the light is that of [`Path::trace`], bit for bit.
+    fn li(&self, tracer: &mut Tracer, ray: &Ray, stream: &Stream) -> Rgb {
+        let scene = tracer.scene();
+        if scene.is_dark() {
+            return Rgb::BLACK;
+        }
+        match (scene.kinds(), scene.moves()) {
+            (kinds::DIFFUSE, false) => self.still::<{ kinds::DIFFUSE }>(tracer, ray, stream),
+            (kinds::SPECULAR, false) => self.still::<{ kinds::SPECULAR }>(tracer, ray, stream),
+            (kinds::GLOSS, false) => self.still::<{ kinds::GLOSS }>(tracer, ray, stream),
+            (_, false) => self.still::<{ kinds::ALL }>(tracer, ray, stream),
+            (kinds::DIFFUSE, true) => self.moving::<{ kinds::DIFFUSE }>(tracer, ray, stream),
+            (kinds::SPECULAR, true) => self.moving::<{ kinds::SPECULAR }>(tracer, ray, stream),
+            (kinds::GLOSS, true) => self.moving::<{ kinds::GLOSS }>(tracer, ray, stream),
+            (_, true) => self.moving::<{ kinds::ALL }>(tracer, ray, stream),
+        }
+    }
+}
+
+impl Path {
+    fn still<const KINDS: u8>(&self, tracer: &mut Tracer, ray: &Ray, stream: &Stream) -> Rgb {
+        let mut all = Everything::default();
+        tracer.at_rest(|still| self.kernel::<KINDS, false>(still, ray, stream, &mut all));
+        all.li
+    }
+
+    fn moving<const KINDS: u8>(&self, tracer: &mut Tracer, ray: &Ray, stream: &Stream) -> Rgb {
+        let mut all = Everything::default();
+        self.kernel::<KINDS, true>(tracer, ray, stream, &mut all);
+        all.li
+    }
+}
+// ANCHOR_END: kernels
 /// What the ray found at its end, weighted by how likely aiming was to find it.
-fn arriving(tracer: &Tracer, ray: &Ray, hit: Option<&Hit>, drawn: Drawn) -> Rgb {
+fn arriving<const MOVES: bool>(
+    tracer: &Tracer<MOVES>,
+    ray: &Ray,
+    hit: Option<&Hit>,
+    drawn: Drawn,
+) -> Rgb {
     let scene = tracer.scene();
     let (radiance, light) = match hit {
         Some(hit) => {
@@ -130,7 +188,11 @@ fn arriving(tracer: &Tracer, ray: &Ray, hit: Option<&Hit>, drawn: Drawn) -> Rgb 
 }
 
 /// The light of all lamps that a surface scatters back, estimated by one of them.
-fn aim(tracer: &mut Tracer, onward: &Onward, mut numbers: Numbers) -> Rgb {
+fn aim<const KINDS: u8, const MOVES: bool>(
+    tracer: &mut Tracer<MOVES>,
+    onward: &Onward<KINDS>,
+    mut numbers: Numbers,
+) -> Rgb {
     let scene = tracer.scene();
     let at = onward.at;
     let (u, pick) = (numbers.two(), numbers.one());

@@ -108,6 +108,11 @@ impl Light {
         }
     }
 
+    /// True for a light without extent, which no ray meets.
+    pub fn is_delta(&self) -> bool {
+        matches!(self, Light::Point(_) | Light::Directional(_))
+    }
+
     /// Emitted power in W, mean over channels: what a light counts for where one of many is chosen.
     ///
     /// * `scene_radius`: of a sphere around the scene; a light that is infinitely far away is worth

@@ -4,6 +4,7 @@
 //! perfectly specular part, a short list of directions with weights. `f` does not contain the
 //! cosine.
 
+mod among;
 pub mod fresnel;
 pub mod ggx;
 mod glass;
@@ -14,6 +15,7 @@ mod mixture;
 mod rough_glass;
 mod specular;
 
+pub use among::{Among, kinds};
 pub use glass::Glass;
 pub use glossy::Glossy;
 pub use lambert::Lambert;
@@ -23,6 +25,7 @@ pub use rough_glass::RoughGlass;
 pub use specular::{Branch, Specular};
 
 use crate::color::Rgb;
+use crate::notation::Letter;
 use glam::Vec3;
 
 /// Everything a surface can be made of. To add a material: a file, a variant, and follow the
@@ -72,6 +75,16 @@ pub enum Event {
 /// differ by a few thousandths of a radian, and shadow rays would be in vain.
 pub const SMOOTH: f32 = 1e-3;
 
+impl From<Event> for Letter {
+    fn from(event: Event) -> Letter {
+        match event {
+            Event::Diffuse => Letter::Diffuse,
+            Event::Gloss => Letter::Gloss,
+            Event::Specular => Letter::Specular,
+        }
+    }
+}
+
 impl Material {
     /// A rough mirror, or below α = [`SMOOTH`] a perfect one.
     ///
@@ -98,13 +111,7 @@ impl Material {
 
     /// The smooth part of the BSDF in 1/sr, without cosine.
     pub fn f(&self, wo: Vec3, wi: Vec3) -> Rgb {
-        match self {
-            Material::Lambert(m) => m.f(wo, wi),
-            Material::Glossy(m) => m.f(wo, wi),
-            Material::RoughGlass(m) => m.f(wo, wi),
-            Material::Mixture(m) => m.f(wo, wi),
-            Material::Mirror(_) | Material::Glass(_) => Rgb::BLACK,
-        }
+        self.any().f(wo, wi)
     }
 
     /// Draws the direction in which a path that came from `wo` goes on; `None` where it ends.
@@ -112,36 +119,37 @@ impl Material {
     /// * `choice`, `u`: in `[0, 1)`. `choice` decides between the parts of the BSDF, `u` on a
     ///   direction of a smooth one.
     pub fn scatter(&self, wo: Vec3, choice: f32, u: [f32; 2]) -> Option<Scattered> {
-        match self {
-            Material::Lambert(m) => m.scatter(wo, u),
-            Material::Mirror(m) => m.specular(wo).scatter(choice),
-            Material::Glass(m) => m.specular(wo).scatter(choice),
-            Material::Glossy(m) => m.scatter(wo, u),
-            Material::RoughGlass(m) => m.scatter(wo, choice, u),
-            Material::Mixture(m) => m.scatter(wo, choice, u),
-        }
+        self.any().scatter(wo, choice, u)
     }
 
     /// Density in 1/sr with which [`Material::scatter`] draws `wi` from the smooth part; 0 where
     /// there is none.
     pub fn pdf(&self, wo: Vec3, wi: Vec3) -> f32 {
+        self.any().pdf(wo, wi)
+    }
+
+    /// What happens to light that the smooth part scatters; `None` where there is none.
+    pub fn smooth_event(&self) -> Option<Event> {
+        self.any().smooth_event()
+    }
+
+    /// Which of the materials besides `Lambert` it is: one bit of [`kinds`].
+    pub fn kind(&self) -> u8 {
         match self {
-            Material::Lambert(m) => m.pdf(wo, wi),
-            Material::Glossy(m) => m.pdf(wo, wi),
-            Material::RoughGlass(m) => m.pdf(wo, wi),
-            Material::Mixture(m) => m.pdf(wo, wi),
-            Material::Mirror(_) | Material::Glass(_) => 0.0,
+            Material::Lambert(_) => kinds::DIFFUSE,
+            Material::Mirror(_) | Material::Glass(_) | Material::Mixture(_) => kinds::SPECULAR,
+            Material::Glossy(_) | Material::RoughGlass(_) => kinds::GLOSS,
         }
+    }
+
+    fn any(&self) -> Among<{ kinds::ALL }> {
+        Among(*self)
     }
 
     /// False where all light goes through perfectly specular directions: `f` is black there, and
     /// shadow rays are in vain.
     pub fn is_smooth(&self) -> bool {
-        match self {
-            Material::Lambert(_) | Material::Glossy(_) | Material::RoughGlass(_) => true,
-            Material::Mixture(m) => !m.kd.is_black(),
-            Material::Mirror(_) | Material::Glass(_) => false,
-        }
+        self.smooth_event().is_some()
     }
 
     /// The perfectly specular directions and their weights.

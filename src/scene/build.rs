@@ -7,12 +7,15 @@ use super::field::{self, Checked, Field, exactly_one};
 use super::motion::{self, Shutter};
 use super::parts::Parts;
 use super::placement::Placement;
-use super::{BuildReport, Casters, Scene, Suggested, lamps, mesh_file, procedural};
+use super::{
+    BuildReport, Casters, Inventory, Object, Scene, Sky, Suggested, lamps, mesh_file, procedural,
+};
 use crate::camera::{Camera, Lens};
 use crate::geometry::{Bvh, Mesh, Quad, Shape, Sphere};
 use crate::lights::LightChoice;
 use crate::materials::Material;
 use glam::{DVec3, Vec3};
+use std::collections::BTreeSet;
 use std::path::Path;
 use std::time::Duration;
 
@@ -46,6 +49,8 @@ pub fn build(said: &Description, folder: Option<&Path>) -> Checked<Scene> {
         spans: Vec::new(),
         lights: Vec::new(),
         degenerate_triangles: 0,
+        inventory: Inventory::default(),
+        used: BTreeSet::new(),
     };
     for (i, light) in said.lights.iter().enumerate() {
         parts.add_light(&top.key("lights").item(i), light)?;
@@ -53,12 +58,31 @@ pub fn build(said: &Description, folder: Option<&Path>) -> Checked<Scene> {
     for (i, object) in said.objects.iter().enumerate() {
         parts.add_object(&top.key("objects").item(i), object)?;
     }
+    let unused = parts
+        .materials
+        .keys()
+        .filter(|name| !parts.used.contains(*name));
+    let unused: Vec<String> = unused.cloned().collect();
     let environment_light = environment.is_some().then_some(parts.lights.len());
     parts.lights.extend(environment);
     let radius = motion::radius(&parts.all, &parts.spans);
     let count = parts.all.len();
     let (shapes, object_of_shape, in_motion) =
         motion::part(parts.all, &parts.objects, &parts.spans, parts.lights.len());
+    let casters = Casters::new(&parts.objects, &shapes, &object_of_shape);
+    let inventory = Inventory {
+        point_lights: parts.lights.iter().filter(|l| l.is_delta()).count(),
+        area_lights: parts.objects.iter().filter(|o| o.light.is_some()).count(),
+        sky: match environment_light {
+            Some(_) => Sky::Image,
+            None if !background.is_black() => Sky::Constant,
+            None => Sky::Black,
+        },
+        casters: casters.len(),
+        lens: camera.lens(),
+        unused_materials: unused,
+        ..parts.inventory
+    };
     Ok(Scene {
         name: said.name.clone(),
         about: said.about.clone(),
@@ -68,18 +92,26 @@ pub fn build(said: &Description, folder: Option<&Path>) -> Checked<Scene> {
         environment_light,
         light_choice: LightChoice::by_power(&parts.lights, radius),
         lights: parts.lights,
-        casters: Casters::new(&parts.objects, &shapes, &object_of_shape),
+        casters,
         suggested,
         report: BuildReport {
             shapes: count,
             degenerate_triangles: parts.degenerate_triangles,
             time: Duration::ZERO,
         },
+        kinds: kinds(&parts.objects),
+        dark: inventory.is_dark(),
+        inventory,
         objects: parts.objects,
         object_of_shape,
         bvh: Bvh::new(&shapes),
         in_motion,
     })
+}
+
+fn kinds(objects: &[Object]) -> u8 {
+    let materials = objects.iter().filter_map(|object| object.material);
+    materials.fold(0, |set, material| set | material.kind())
 }
 
 /// Checks the size of an image.
@@ -153,10 +185,19 @@ impl Parts<'_> {
             None => self.push(shapes, material, None),
         }
         self.spans.resize(self.objects.len(), way.span);
+        if let Some(material) = &material {
+            self.inventory.count(material);
+        }
+        if said.motion.is_some_and(|motion| motion.0 != [0.0; 3]) {
+            let moves = way.span != Vec3::ZERO;
+            self.inventory.moving += usize::from(moves);
+            self.inventory.frozen += usize::from(!moves);
+        }
         Ok(())
     }
 
-    fn material_named(&self, field: &Field, name: &str) -> Checked<Material> {
+    fn material_named(&mut self, field: &Field, name: &str) -> Checked<Material> {
+        self.used.insert(name.to_owned());
         self.materials.get(name).copied().ok_or_else(|| {
             let defined: Vec<&str> = self.materials.keys().map(String::as_str).collect();
             field.problem(if defined.is_empty() {

@@ -54,6 +54,11 @@ impl Casters {
         self.0.is_empty()
     }
 
+    /// How many objects focus light and are aimed at.
+    pub fn len(&self) -> usize {
+        self.0.len()
+    }
+
     /// Those that can be aimed at from `p`: it is not within their balls.
     pub fn seen_from(&self, p: Vec3) -> SeenCasters {
         let mut seen = SeenCasters {

@@ -7,6 +7,7 @@
 pub mod build;
 mod casters;
 pub mod description;
+mod effects;
 pub mod field;
 pub mod gallery;
 pub mod image_file;
@@ -20,6 +21,7 @@ pub mod read;
 pub mod tracer;
 
 pub use casters::{Casters, SeenCasters};
+pub use effects::{Effect, Effects, Inventory, Sky};
 pub use gallery::load;
 pub use read::SceneError;
 pub use tracer::{Hit, RayCounts, Tracer};
@@ -60,9 +62,14 @@ pub struct Scene {
     pub environment_light: Option<usize>,
     /// What the file suggests for a render.
     pub suggested: Suggested,
+    /// What is in it.
+    pub inventory: Inventory,
     /// What happened while the scene was built.
     pub report: BuildReport,
     background: Rgb,
+    kinds: u8,
+    /// True where nothing shines and nobody need look.
+    dark: bool,
     objects: Vec<Object>,
     /// For each shape of the hierarchy the object it belongs to.
     object_of_shape: Vec<u32>,
@@ -75,6 +82,16 @@ impl Scene {
     /// True where anything moves while the shutter is open.
     pub fn moves(&self) -> bool {
         self.in_motion.is_some()
+    }
+
+    /// The materials of its objects besides `Lambert`: a set of [`kinds`](crate::materials::kinds).
+    pub fn kinds(&self) -> u8 {
+        self.kinds
+    }
+
+    /// True where nothing shines, so that no ray need be traced.
+    pub fn is_dark(&self) -> bool {
+        self.dark
     }
 
     /// Radiance along a ray that leaves the scene in the unit `direction`.

@@ -78,6 +78,17 @@ pub(super) struct InMotion {
     pub span_of_light: Vec<Vec3>,
 }
 
+impl InMotion {
+    /// Motion of nothing, beside some lights that stand still.
+    pub(super) fn of_nothing(lights: usize) -> InMotion {
+        InMotion {
+            bvh: Bvh::new(&[]),
+            object_of_shape: Vec::new(),
+            span_of_light: vec![Vec3::ZERO; lights],
+        }
+    }
+}
+
 /// Parts what moves from what stands still: the shapes that do, and of each its object.
 ///
 /// * `all`: shapes, where they are when the shutter opens, and the objects they belong to.

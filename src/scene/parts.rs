@@ -1,13 +1,13 @@
 //! What a scene is put together from.
 
-use super::Object;
 use super::field::{Checked, Field};
 use super::motion::Shutter;
+use super::{Inventory, Object};
 use crate::geometry::Shape;
 use crate::lights::Light;
 use crate::materials::Material;
 use glam::{DVec3, Vec3};
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 use std::path::Path;
 
 /// A scene while it is put together.
@@ -24,6 +24,10 @@ pub(super) struct Parts<'a> {
     pub(super) spans: Vec<Vec3>,
     pub(super) lights: Vec<Light>,
     pub(super) degenerate_triangles: usize,
+    /// What was found so far.
+    pub(super) inventory: Inventory,
+    /// Names of the materials that objects use.
+    pub(super) used: BTreeSet<String>,
 }
 
 impl Parts<'_> {

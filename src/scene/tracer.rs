@@ -57,8 +57,10 @@ impl Hit<'_> {
 }
 
 /// A view of a scene at one moment, which counts the rays it is asked for.
+///
+/// Where `MOVES` is false it is a view of what stands still alone, and code for motion is not there.
 #[derive(Debug)]
-pub struct Tracer<'a> {
+pub struct Tracer<'a, const MOVES: bool = true> {
     scene: &'a Scene,
     /// From 0, where the shutter opens, to 1, where it closes.
     time: f32,
@@ -75,6 +77,21 @@ impl<'a> Tracer<'a> {
         }
     }
 
+    /// Looks at what stands still, and counts the rays asked for as its own.
+    #[inline]
+    pub fn at_rest<R>(&mut self, look: impl FnOnce(&mut Tracer<'a, false>) -> R) -> R {
+        let mut still = Tracer {
+            scene: self.scene,
+            time: 0.0,
+            counts: RayCounts::default(),
+        };
+        let answer = look(&mut still);
+        self.counts += still.counts;
+        answer
+    }
+}
+
+impl<'a, const MOVES: bool> Tracer<'a, MOVES> {
     /// The scene.
     pub fn scene(&self) -> &'a Scene {
         self.scene
@@ -108,7 +125,7 @@ impl<'a> Tracer<'a> {
     pub fn is_free(&mut self, shadow_ray: &Ray) -> bool {
         self.counts.shadow += 1;
         !self.scene.bvh.any(shadow_ray)
-            && !matches!(&self.scene.in_motion, Some(m) if m.bvh.any(shadow_ray, self.time))
+            && !matches!(self.in_motion(), Some(m) if m.bvh.any(shadow_ray, self.time))
     }
 
     /// Aims at the light `index` where it is now: [`Light::sample`](crate::lights::Light::sample).
@@ -131,15 +148,24 @@ impl<'a> Tracer<'a> {
 
     /// How far a light has come since the shutter opened; `None` for one that stands still.
     fn light_moved(&self, index: usize) -> Option<Vec3> {
-        let span = self.scene.in_motion.as_ref()?.span_of_light[index];
+        let span = self.in_motion()?.span_of_light[index];
         (span != Vec3::ZERO).then(|| span * self.time)
+    }
+
+    #[inline]
+    fn in_motion(&self) -> Option<&'a InMotion> {
+        if MOVES {
+            self.scene.in_motion.as_ref()
+        } else {
+            None
+        }
     }
 
     #[inline]
     fn first_hit(&self, ray: &Ray) -> Option<Hit<'a>> {
         let scene = self.scene;
         let still = scene.bvh.first(ray);
-        if let Some(in_motion) = &scene.in_motion {
+        if let Some(in_motion) = self.in_motion() {
             return self.first_of_both(in_motion, still, ray);
         }
         still.map(|found| scene.hit(ray, &found))

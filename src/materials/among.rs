@@ -1,0 +1,110 @@
+//! A material of which is known beforehand what it may be.
+
+use super::{Event, Material, Scattered};
+use crate::color::Rgb;
+use glam::Vec3;
+
+/// Sets of materials besides `Lambert`, which is in each, as bits: what stands between the angle
+/// brackets of [`Among`].
+pub mod kinds {
+    /// Only what is ideally diffuse.
+    pub const DIFFUSE: u8 = 0;
+    /// Perfectly specular parts: `Mirror`, `Glass`, `Mixture`.
+    pub const SPECULAR: u8 = 1;
+    /// Lobes of some width: `Glossy`, `RoughGlass`.
+    pub const GLOSS: u8 = 2;
+    /// Every material.
+    pub const ALL: u8 = SPECULAR | GLOSS;
+}
+
+/// A material among those of the set `KINDS`, a constant of [`kinds`]: code for the others is not
+/// there. A material outside the set is black.
+#[derive(Clone, Copy, Debug)]
+pub struct Among<const KINDS: u8>(pub Material);
+
+impl<const KINDS: u8> Among<KINDS> {
+    const SPECULAR: bool = KINDS & kinds::SPECULAR != 0;
+    const GLOSS: bool = KINDS & kinds::GLOSS != 0;
+
+    /// See [`Material::f`].
+    #[inline]
+    pub fn f(&self, wo: Vec3, wi: Vec3) -> Rgb {
+        match &self.0 {
+            Material::Lambert(m) => m.f(wo, wi),
+            Material::Glossy(m) if Self::GLOSS => m.f(wo, wi),
+            Material::RoughGlass(m) if Self::GLOSS => m.f(wo, wi),
+            Material::Mixture(m) if Self::SPECULAR => m.f(wo, wi),
+            _ => Rgb::BLACK,
+        }
+    }
+
+    /// See [`Material::scatter`].
+    #[inline]
+    pub fn scatter(&self, wo: Vec3, choice: f32, u: [f32; 2]) -> Option<Scattered> {
+        match &self.0 {
+            Material::Lambert(m) => m.scatter(wo, u),
+            Material::Mirror(m) if Self::SPECULAR => m.specular(wo).scatter(choice),
+            Material::Glass(m) if Self::SPECULAR => m.specular(wo).scatter(choice),
+            Material::Glossy(m) if Self::GLOSS => m.scatter(wo, u),
+            Material::RoughGlass(m) if Self::GLOSS => m.scatter(wo, choice, u),
+            Material::Mixture(m) if Self::SPECULAR => m.scatter(wo, choice, u),
+            _ => None,
+        }
+    }
+
+    /// See [`Material::pdf`].
+    #[inline]
+    pub fn pdf(&self, wo: Vec3, wi: Vec3) -> f32 {
+        match &self.0 {
+            Material::Lambert(m) => m.pdf(wo, wi),
+            Material::Glossy(m) if Self::GLOSS => m.pdf(wo, wi),
+            Material::RoughGlass(m) if Self::GLOSS => m.pdf(wo, wi),
+            Material::Mixture(m) if Self::SPECULAR => m.pdf(wo, wi),
+            _ => 0.0,
+        }
+    }
+
+    /// See [`Material::smooth_event`].
+    #[inline]
+    pub fn smooth_event(&self) -> Option<Event> {
+        match &self.0 {
+            Material::Lambert(_) => Some(Event::Diffuse),
+            Material::Glossy(_) | Material::RoughGlass(_) if Self::GLOSS => Some(Event::Gloss),
+            Material::Mixture(m) if Self::SPECULAR => (!m.kd.is_black()).then_some(Event::Diffuse),
+            _ => None,
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::materials::{Glass, Glossy, Lambert};
+
+    #[test]
+    fn what_is_in_the_set_is_itself_and_what_is_not_is_black() {
+        let (wo, wi) = (Vec3::new(0.6, 0.0, 0.8), Vec3::new(0.0, 0.6, 0.8));
+        let lambert = Material::Lambert(Lambert {
+            albedo: Rgb::grey(0.5),
+        });
+        let glossy = Material::Glossy(Glossy {
+            reflectance: Rgb::WHITE,
+            alpha: 0.5,
+        });
+        let glass = Material::Glass(Glass { ior: 1.5 });
+        let diffuse = Among::<{ kinds::DIFFUSE }>;
+        assert_eq!(diffuse(lambert).f(wo, wi), lambert.f(wo, wi));
+        assert_eq!(diffuse(lambert).pdf(wo, wi), lambert.pdf(wo, wi));
+        for absent in [glossy, glass] {
+            assert_eq!(diffuse(absent).f(wo, wi), Rgb::BLACK);
+            assert!(diffuse(absent).scatter(wo, 0.5, [0.5; 2]).is_none());
+            assert_eq!(diffuse(absent).smooth_event(), None);
+        }
+        let gloss = Among::<{ kinds::GLOSS }>;
+        assert!(!glossy.f(wo, wi).is_black());
+        assert_eq!(gloss(glossy).f(wo, wi), glossy.f(wo, wi));
+        assert!(gloss(glass).scatter(wo, 0.5, [0.5; 2]).is_none());
+        let specular = Among::<{ kinds::SPECULAR }>;
+        assert!(specular(glass).scatter(wo, 0.5, [0.5; 2]).is_some());
+    }
+}

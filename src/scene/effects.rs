@@ -1,0 +1,204 @@
+//! What a scene calls for, told from what is in it.
+
+use super::Scene;
+use crate::camera::Lens;
+use crate::materials::Material;
+
+/// A way of light that a scene may call for, or may not.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash, serde::Serialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum Effect {
+    /// Points and directions that shine: lights without extent, which only a shadow ray finds.
+    PointLights,
+    /// Surfaces that shine: a path may meet them.
+    AreaLights,
+    /// Light from beyond the scene.
+    Sky,
+    /// Surfaces that scatter light in all directions alike, and light between them.
+    Diffuse,
+    /// Perfect reflection.
+    Mirror,
+    /// Perfect refraction.
+    Transmission,
+    /// Reflection and refraction into lobes of some width.
+    Gloss,
+    /// Light that a mirror or glass focuses on a rougher surface.
+    Caustics,
+    /// Depth of field.
+    Lens,
+    /// What moves while the shutter is open.
+    Motion,
+}
+
+impl Effect {
+    /// All of them, in the order in which they are reported.
+    pub const ALL: [Effect; 10] = [
+        Effect::PointLights,
+        Effect::AreaLights,
+        Effect::Sky,
+        Effect::Diffuse,
+        Effect::Mirror,
+        Effect::Transmission,
+        Effect::Gloss,
+        Effect::Caustics,
+        Effect::Lens,
+        Effect::Motion,
+    ];
+
+    /// How it is written.
+    pub fn name(self) -> &'static str {
+        match self {
+            Effect::PointLights => "point-lights",
+            Effect::AreaLights => "area-lights",
+            Effect::Sky => "sky",
+            Effect::Diffuse => "diffuse",
+            Effect::Mirror => "mirror",
+            Effect::Transmission => "transmission",
+            Effect::Gloss => "gloss",
+            Effect::Caustics => "caustics",
+            Effect::Lens => "lens",
+            Effect::Motion => "motion",
+        }
+    }
+}
+
+/// A set of effects.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Effects(u16);
+
+impl Effects {
+    /// True where the effect is in the set.
+    pub fn has(self, effect: Effect) -> bool {
+        self.0 & 1 << effect as u16 != 0
+    }
+
+    /// The effects of the set, in the order of [`Effect::ALL`].
+    pub fn iter(self) -> impl Iterator<Item = Effect> {
+        Effect::ALL.into_iter().filter(move |&e| self.has(e))
+    }
+}
+
+impl FromIterator<Effect> for Effects {
+    fn from_iter<I: IntoIterator<Item = Effect>>(effects: I) -> Self {
+        Effects(effects.into_iter().fold(0, |set, e| set | 1 << e as u16))
+    }
+}
+
+/// What is in a scene and does something. A material that no object uses is not in it, nor is a
+/// lens of radius 0.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Inventory {
+    /// Lights at a point or from one direction.
+    pub point_lights: usize,
+    /// Surfaces that shine.
+    pub area_lights: usize,
+    /// Light from beyond.
+    pub sky: Sky,
+    /// Objects that scatter light in all directions alike.
+    pub diffuse: usize,
+    /// Objects that mirror perfectly.
+    pub mirrors: usize,
+    /// Objects that refract perfectly.
+    pub clear: usize,
+    /// Objects with lobes of some width, rough glass among them.
+    pub glossy: usize,
+    /// Objects whose light a path aims at, because it may be focused.
+    pub casters: usize,
+    /// The lens; `None` for a pinhole.
+    pub lens: Option<Lens>,
+    /// Objects that are elsewhere when the shutter closes.
+    pub moving: usize,
+    /// Objects with a motion that the shutter, open for no time, does not see.
+    pub frozen: usize,
+    /// Names of materials that no object uses, in their order.
+    pub unused_materials: Vec<String>,
+}
+
+/// Light from beyond the scene.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Sky {
+    /// None.
+    #[default]
+    Black,
+    /// The same from all directions.
+    Constant,
+    /// An image.
+    Image,
+}
+
+impl Inventory {
+    /// Counts an object of this material.
+    pub(super) fn count(&mut self, material: &Material) {
+        let positive = |k: crate::color::Rgb| usize::from(!k.is_black());
+        match material {
+            Material::Lambert(m) => self.diffuse += positive(m.albedo),
+            Material::Mirror(m) => self.mirrors += positive(m.reflectance),
+            Material::Glass(_) => {
+                self.mirrors += 1;
+                self.clear += 1;
+            }
+            Material::Glossy(m) => self.glossy += positive(m.reflectance),
+            Material::RoughGlass(_) => self.glossy += 1,
+            Material::Mixture(m) => {
+                self.diffuse += positive(m.kd);
+                // Beyond the critical angle what would go through is mirrored.
+                self.mirrors += positive(m.ks + m.kt);
+                self.clear += positive(m.kt);
+            }
+        }
+    }
+
+    /// True where nothing shines: every picture is black.
+    pub fn is_dark(&self) -> bool {
+        self.point_lights == 0 && !self.light_can_be_met()
+    }
+
+    /// True where a path may meet light by going on.
+    pub fn light_can_be_met(&self) -> bool {
+        self.area_lights > 0 || self.sky != Sky::Black
+    }
+
+    /// What has to be simulated; nothing in the dark.
+    pub fn effects(&self) -> Effects {
+        if self.is_dark() {
+            return Effects::default();
+        }
+        let needs = |effect| match effect {
+            Effect::PointLights => self.point_lights > 0,
+            Effect::AreaLights => self.area_lights > 0,
+            Effect::Sky => self.sky != Sky::Black,
+            Effect::Diffuse => self.diffuse > 0,
+            Effect::Mirror => self.mirrors > 0,
+            Effect::Transmission => self.clear > 0,
+            Effect::Gloss => self.glossy > 0,
+            Effect::Caustics => {
+                let focuses = self.mirrors + self.clear > 0;
+                focuses && self.diffuse + self.glossy > 0 && self.light_can_be_met()
+            }
+            Effect::Lens => self.lens.is_some(),
+            Effect::Motion => self.moving > 0,
+        };
+        Effect::ALL.into_iter().filter(|&e| needs(e)).collect()
+    }
+}
+
+impl Scene {
+    /// The same scene with every effect at work, those it does not call for at no strength: a lens
+    /// of radius 0, motion of nothing, the kernel for all materials. The picture is the same, bit
+    /// for bit; what it costs more is what leaving them out saves.
+    #[must_use]
+    pub fn with_all_effects(mut self) -> Scene {
+        let pinhole = Lens {
+            radius: 0.0,
+            focus: 1.0,
+        };
+        let lens = self.camera.lens().unwrap_or(pinhole);
+        self.camera = self.camera.with_lens(Some(lens));
+        self.kinds = crate::materials::kinds::ALL;
+        let lights = self.lights.len();
+        self.in_motion
+            .get_or_insert_with(|| super::InMotion::of_nothing(lights));
+        self.dark = false;
+        self
+    }
+}
