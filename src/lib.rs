@@ -29,11 +29,12 @@
 //! 5. [`scene`]: from a file to something rays can meet; [`flatland`]: the same in the flat world
 //! 6. [`integrators`]: the stages of the algorithm, side by side
 //! 7. [`render`]: the pixel loop and the film; [`output`]: pictures as files
-//! 8. [`estimators`]: smaller questions than a picture
-//! 9. [`experiment`]: repeated runs that end in data
-//! 10. [`chart`]: curves, trees and ray drawings; [`ledger`]: what a run cost and gained;
+//! 8. [`effects`]: what a scene calls for, its light paths, and what leaving one out saves
+//! 9. [`estimators`]: smaller questions than a picture
+//! 10. [`experiment`]: repeated runs that end in data
+//! 11. [`chart`]: curves, trees and ray drawings; [`ledger`]: what a run cost and gained;
 //!     [`desk`]: what every chapter shares
-//! 11. [`cli`]: the command
+//! 12. [`cli`]: the command
 //!
 //! ## Vocabulary
 //!
@@ -65,6 +66,7 @@ pub mod chart;
 pub mod cli;
 pub mod color;
 pub mod desk;
+pub mod effects;
 pub mod estimators;
 pub mod experiment;
 pub mod flatland;

@@ -13,6 +13,7 @@ const FLOORS: &[&[&str]] = &[
     &["scene", "flatland"],
     &["integrators"],
     &["render", "output"],
+    &["effects"],
     &["estimators"],
     &["experiment"],
     &["chart", "ledger", "desk"],

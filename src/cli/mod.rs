@@ -3,9 +3,12 @@
 //! Text for people goes to stderr, results to stdout. Exit codes: 0 done, 1 failed, 2 bad usage or
 //! input, 130 interrupted.
 
+mod classify;
 mod completions;
 mod converge;
+mod demand;
 mod doctor;
+mod effects;
 mod page;
 mod render;
 mod scenes;
@@ -33,6 +36,8 @@ Start here:
   halfdisk render cornell             a picture in out/cornell.png
   halfdisk scenes --show cornell > mine.toml
   halfdisk render mine.toml --spp 256 --out mine.exr
+  halfdisk effects caustic            what does this scene call for, and why?
+  halfdisk classify cornell           how much of its light came by which paths?
   halfdisk converge half-disk         how fast does its error fall?
   halfdisk doctor                     what do the usual mistakes read?";
 
@@ -48,6 +53,10 @@ enum Action {
     Converge(converge::Converge),
     /// Name the mistake behind a wrong reading, or list the mistakes
     Doctor(doctor::Doctor),
+    /// Say what a scene calls for and why, what is left out and why, and what each effect costs
+    Effects(effects::EffectsOf),
+    /// Sort a scene's light by its paths, written as words
+    Classify(classify::Classify),
     /// Print the completions of a shell
     Completions(completions::Completions),
 }
@@ -61,6 +70,8 @@ impl Command {
             Action::Scenes(scenes) => scenes.run(),
             Action::Converge(converge) => converge.run(),
             Action::Doctor(doctor) => doctor.run(),
+            Action::Effects(effects) => effects.run(),
+            Action::Classify(classify) => classify.run(),
             Action::Completions(completions) => completions.run(),
         };
         match result {

@@ -1,12 +1,16 @@
 //! `halfdisk render`.
 
+use super::demand::{Demand, bias_json, bias_line};
 use super::{Stop, answer, use_threads};
 use crate::desk::{Bar, on_ctrl_c};
-use crate::integrators::{Albedo, Depth, Integrator, Named, Normals, Whitted};
+use crate::effects::{measure::Setup, plan};
+use crate::integrators::{
+    Albedo, Depth, Integrator, Named, Normals, Path as PathTracer, Restricted, Whitted,
+};
 use crate::output::{self, Display, Provenance};
 use crate::render::{self, Options, Rendered};
 use crate::sampling::stream::Sampler;
-use crate::scene::{Scene, build::film_size, field::Field, gallery};
+use crate::scene::{Scene, build::film_size, field::Field};
 use clap::{Args, ValueEnum};
 use serde_json::json;
 use std::path::{Path, PathBuf};
@@ -49,6 +53,12 @@ pub struct Render {
     /// Print what was rendered as JSON, to stdout
     #[arg(long)]
     json: bool,
+    #[command(flatten)]
+    demand: Demand,
+    /// Keep every effect at work, those that the scene lacks at no strength: the same picture,
+    /// later. For comparisons
+    #[arg(long)]
+    all_effects: bool,
     /// No progress bar and no report
     #[arg(long, short)]
     quiet: bool,
@@ -104,7 +114,7 @@ enum Points {
     Sobol,
 }
 
-fn size(text: &str) -> Result<[u32; 2], String> {
+pub(super) fn size(text: &str) -> Result<[u32; 2], String> {
     let (width, height) = text.split_once(['x', 'X']).unwrap_or_default();
     let (Ok(width), Ok(height)) = (width.parse(), height.parse()) else {
         return Err("a size is two whole numbers, such as 640x480".to_owned());
@@ -118,17 +128,31 @@ impl Render {
         if cfg!(debug_assertions) && !self.quiet {
             eprintln!("note: built for development; `cargo run --release` is several times faster");
         }
-        let scene = gallery::load_with(&self.scene, |description| {
+        let Setup { mut scene, wanted } = self.demand.load(&self.scene, |description| {
             if let Some(size) = self.size {
                 description.film.size = size.map(i64::from);
             }
         })?;
+        if wanted.is_some() && self.integrator != Method::Path {
+            return Err(Stop::Input(format!(
+                "--integrator {}: only `path` knows which paths it follows, and can leave some out",
+                self.integrator.name()
+            )));
+        }
+        if self.all_effects {
+            scene = scene.with_all_effects();
+        }
         let max_depth = self.max_depth(&scene)?;
         // Checked before any work, so that none is lost to a misspelt name or a closed folder.
         let path = self.path(&scene);
         output::prepare(&path)?;
         use_threads(self.threads)?;
 
+        if !self.quiet
+            && let Some(lost) = plan::plan(&scene).out_of_reach
+        {
+            eprintln!("note: {} is out of reach: {}", lost.paths, lost.reason);
+        }
         let light = |named: Named| self.with(&scene, &named.with(max_depth));
         let rendered = match self.integrator {
             Method::Normals => self.with(&scene, &Normals),
@@ -140,7 +164,14 @@ impl Render {
             Method::Roulette => light(Named::Roulette),
             Method::NextEvent => light(Named::NextEvent),
             Method::Combine => light(Named::Combine),
-            Method::Path => light(Named::Path),
+            Method::Path => match &wanted {
+                None => light(Named::Path),
+                Some(wanted) => {
+                    let path = PathTracer::new(max_depth);
+                    let paths = &wanted.eye_first;
+                    self.with(&scene, &Restricted { path, paths })
+                }
+            },
         };
         let display = match self.integrator {
             Method::Normals | Method::Albedo => Display::Data { white: 1.0 },
@@ -155,12 +186,24 @@ impl Render {
             ..Provenance::new(&scene, &self.integrator.name(), max_depth, spp, self.seed)
         };
         output::write(&path, &rendered.film, display, &facts)?;
+        let bias = if self.demand.is_everything() || rendered.interrupted {
+            None
+        } else {
+            Some(
+                self.demand
+                    .bias(&self.scene, scene.size, self.spp(&scene))?,
+            )
+        };
         if !self.quiet {
             eprint!("{}", report(&scene, &rendered, self.sampler()));
+            if let Some(bias) = &bias {
+                eprint!("{}", bias_line(bias));
+            }
             eprintln!("wrote {}", path.display());
         }
         if self.json {
-            let object = as_json(&scene, &facts, &rendered, &path);
+            let mut object = as_json(&scene, &facts, &rendered, &path);
+            object["left_out"] = json!(bias.as_ref().map(bias_json));
             answer(&(serde_json::to_string_pretty(&object)? + "\n"))?;
         }
         if rendered.interrupted {

@@ -1,8 +1,12 @@
 //! What becomes of the light that a path finds: all of it counts, or that of some paths only.
 
+use super::{Integrator, Path};
 use crate::color::Rgb;
+use crate::geometry::Ray;
 use crate::materials::Event;
 use crate::notation::{Language, Letter, State};
+use crate::sampling::stream::Stream;
+use crate::scene::Tracer;
 
 /// Goes along with a path from the eye, hears of each of its vertices and of all light it finds.
 pub trait Follow {
@@ -91,3 +95,23 @@ impl Follow for OnlyPaths<'_> {
     }
 }
 // ANCHOR_END: among
+
+/// Path tracing, of the paths of a language alone.
+///
+/// What is left is the light of [`Path`] that came by these paths, sample by sample: pictures of
+/// languages that have no word in common add up to the picture of both.
+#[derive(Clone, Copy, Debug)]
+pub struct Restricted<'a> {
+    /// How paths are traced.
+    pub path: Path,
+    /// Words from the eye to the light.
+    pub paths: &'a Language,
+}
+
+impl Integrator for Restricted<'_> {
+    fn li(&self, tracer: &mut Tracer, ray: &Ray, stream: &Stream) -> Rgb {
+        let mut only = OnlyPaths::new(self.paths);
+        self.path.trace(tracer, ray, stream, &mut only);
+        only.li
+    }
+}

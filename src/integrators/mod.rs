@@ -17,7 +17,7 @@
 
 mod combine;
 mod distributed;
-pub mod follow;
+mod follow;
 mod kajiya;
 mod named;
 mod next_event;
@@ -32,6 +32,7 @@ mod whitted;
 
 pub use combine::{Combine, Shares};
 pub use distributed::{Distributed, Integral};
+pub use follow::{Everything, Follow, OnlyPaths, Restricted};
 pub use kajiya::Kajiya;
 pub use named::{Chosen, Named};
 pub use next_event::NextEvent;

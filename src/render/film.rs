@@ -93,6 +93,24 @@ impl Film {
         Film::new(self.width, self.pixels[start..end].to_vec())
     }
 
+    /// Films of one height side by side, from the left.
+    ///
+    /// # Panics
+    ///
+    /// Where their heights differ.
+    pub fn beside(films: &[&Film]) -> Film {
+        let height = films.first().map_or(0, |film| film.height());
+        assert!(films.iter().all(|film| film.height() == height));
+        let mut pixels = Vec::new();
+        for y in 0..height as usize {
+            for film in films {
+                let width = film.width as usize;
+                pixels.extend_from_slice(&film.pixels[y * width..(y + 1) * width]);
+            }
+        }
+        Film::new(films.iter().map(|film| film.width).sum(), pixels)
+    }
+
     /// The mean of the picture over pixels and channels, and its standard error.
     ///
     /// Pixels are independent, so their squared errors add. The channels of a pixel share their

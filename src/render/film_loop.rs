@@ -1,6 +1,7 @@
 //! Passes over tiles over threads.
 
 use super::{BadSample, Film, Pixel};
+use crate::geometry::Ray;
 use crate::integrators::Integrator;
 use crate::sampling::stream::{Purpose, Sampler, Stream};
 use crate::scene::{RayCounts, Scene, Tracer};
@@ -151,7 +152,6 @@ impl Tile {
         pass: Range<u32>,
     ) {
         let mut tracer = Tracer::new(scene);
-        let [width, height] = scene.size;
         let columns = self.x.clone();
         let places = self
             .y
@@ -159,16 +159,7 @@ impl Tile {
             .flat_map(|y| columns.clone().map(move |x| (x, y)));
         for ((x, y), pixel) in places.zip(&mut self.pixels) {
             for sample in pass.clone() {
-                let pixel_number = y * width + x;
-                let stream = Stream::with(options.sampler, options.seed, pixel_number, sample)
-                    .fixing(options.fixed);
-                let [u, v] = stream.at(0, Purpose::Pixel).two();
-                let s = (x as f32 + u) / width as f32;
-                let t = (y as f32 + v) / height as f32;
-                if scene.moves() {
-                    tracer.at_time(stream.at(0, Purpose::Time).one());
-                }
-                let ray = scene.camera.sample_ray(s, t, &stream);
+                let (ray, stream) = camera_sample(&mut tracer, options, [x, y], sample);
                 let li = integrator.li(&mut tracer, &ray, &stream);
                 if li.is_finite() {
                     pixel.add(li);
@@ -184,6 +175,27 @@ impl Tile {
         }
         self.rays += tracer.counts();
     }
+}
+
+/// The camera ray of sample `sample` of the pixel in column `x` and row `y`, and its random numbers.
+/// The tracer looks at the scene when the ray does.
+pub fn camera_sample(
+    tracer: &mut Tracer,
+    options: &Options,
+    [x, y]: [u32; 2],
+    sample: u32,
+) -> (Ray, Stream) {
+    let scene = tracer.scene();
+    let [width, height] = scene.size;
+    let stream =
+        Stream::with(options.sampler, options.seed, y * width + x, sample).fixing(options.fixed);
+    let [u, v] = stream.at(0, Purpose::Pixel).two();
+    let s = (x as f32 + u) / width as f32;
+    let t = (y as f32 + v) / height as f32;
+    if scene.moves() {
+        tracer.at_time(stream.at(0, Purpose::Time).one());
+    }
+    (scene.camera.sample_ray(s, t, &stream), stream)
 }
 
 /// Puts the tiles together.

@@ -10,5 +10,5 @@ mod film_loop;
 mod picture;
 
 pub use film::{BadSample, Film, Pixel};
-pub use film_loop::{Options, Progress, Rendered, render};
+pub use film_loop::{Options, Progress, Rendered, camera_sample, render};
 pub use picture::Picture;

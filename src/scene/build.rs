@@ -180,14 +180,14 @@ impl Parts<'_> {
         let place = Placement::new(&field.key("transform"), said.transform.as_ref())?;
         let shapes = self.shapes(field, said, &place.shifted(way.start))?;
         way.check(&field.key("motion"), &shapes)?;
+        if let Some(material) = &material {
+            self.inventory.count(material, &shapes);
+        }
         match emission {
             Some(radiance) => self.push_lamp(shapes, material, radiance),
             None => self.push(shapes, material, None),
         }
         self.spans.resize(self.objects.len(), way.span);
-        if let Some(material) = &material {
-            self.inventory.count(material);
-        }
         if said.motion.is_some_and(|motion| motion.0 != [0.0; 3]) {
             let moves = way.span != Vec3::ZERO;
             self.inventory.moving += usize::from(moves);

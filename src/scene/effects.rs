@@ -1,8 +1,10 @@
 //! What a scene calls for, told from what is in it.
 
 use super::Scene;
+use super::motion::InMotion;
 use crate::camera::Lens;
-use crate::materials::Material;
+use crate::geometry::Shape;
+use crate::materials::{Material, kinds};
 
 /// A way of light that a scene may call for, or may not.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash, serde::Serialize)]
@@ -14,14 +16,14 @@ pub enum Effect {
     AreaLights,
     /// Light from beyond the scene.
     Sky,
-    /// Surfaces that scatter light in all directions alike, and light between them.
+    /// Surfaces that scatter light in all directions alike: `D`.
     Diffuse,
-    /// Perfect reflection.
-    Mirror,
-    /// Perfect refraction.
-    Transmission,
-    /// Reflection and refraction into lobes of some width.
+    /// Mirrors and glass: `S`.
+    Specular,
+    /// Reflection and refraction into lobes of some width: `G`.
     Gloss,
+    /// Light from one rough surface to another, such as colour that bleeds.
+    Bleeding,
     /// Light that a mirror or glass focuses on a rougher surface.
     Caustics,
     /// Depth of field.
@@ -37,9 +39,9 @@ impl Effect {
         Effect::AreaLights,
         Effect::Sky,
         Effect::Diffuse,
-        Effect::Mirror,
-        Effect::Transmission,
+        Effect::Specular,
         Effect::Gloss,
+        Effect::Bleeding,
         Effect::Caustics,
         Effect::Lens,
         Effect::Motion,
@@ -52,9 +54,9 @@ impl Effect {
             Effect::AreaLights => "area-lights",
             Effect::Sky => "sky",
             Effect::Diffuse => "diffuse",
-            Effect::Mirror => "mirror",
-            Effect::Transmission => "transmission",
+            Effect::Specular => "specular",
             Effect::Gloss => "gloss",
+            Effect::Bleeding => "bleeding",
             Effect::Caustics => "caustics",
             Effect::Lens => "lens",
             Effect::Motion => "motion",
@@ -96,13 +98,15 @@ pub struct Inventory {
     pub sky: Sky,
     /// Objects that scatter light in all directions alike.
     pub diffuse: usize,
-    /// Objects that mirror perfectly.
-    pub mirrors: usize,
-    /// Objects that refract perfectly.
-    pub clear: usize,
+    /// Objects that mirror or refract perfectly.
+    pub specular: usize,
     /// Objects with lobes of some width, rough glass among them.
     pub glossy: usize,
-    /// Objects whose light a path aims at, because it may be focused.
+    /// Objects that send light on, in whatever way.
+    pub scattering: usize,
+    /// Those among them that cannot light themselves, being one flat shape.
+    pub flat: usize,
+    /// Objects that paths aim at because they may focus light.
     pub casters: usize,
     /// The lens; `None` for a pinhole.
     pub lens: Option<Lens>,
@@ -127,25 +131,33 @@ pub enum Sky {
 }
 
 impl Inventory {
-    /// Counts an object of this material.
-    pub(super) fn count(&mut self, material: &Material) {
-        let positive = |k: crate::color::Rgb| usize::from(!k.is_black());
+    /// Counts an object.
+    pub(super) fn count(&mut self, material: &Material, shapes: &[Shape]) {
+        if material.albedo().is_black() {
+            return;
+        }
+        self.scattering += 1;
+        let flat = matches!(shapes, [Shape::Quad(_) | Shape::Triangle(_)]);
+        self.flat += usize::from(flat);
         match material {
-            Material::Lambert(m) => self.diffuse += positive(m.albedo),
-            Material::Mirror(m) => self.mirrors += positive(m.reflectance),
-            Material::Glass(_) => {
-                self.mirrors += 1;
-                self.clear += 1;
-            }
-            Material::Glossy(m) => self.glossy += positive(m.reflectance),
-            Material::RoughGlass(_) => self.glossy += 1,
+            Material::Lambert(_) => self.diffuse += 1,
+            Material::Mirror(_) | Material::Glass(_) => self.specular += 1,
+            Material::Glossy(_) | Material::RoughGlass(_) => self.glossy += 1,
             Material::Mixture(m) => {
-                self.diffuse += positive(m.kd);
-                // Beyond the critical angle what would go through is mirrored.
-                self.mirrors += positive(m.ks + m.kt);
-                self.clear += positive(m.kt);
+                self.diffuse += usize::from(!m.kd.is_black());
+                self.specular += usize::from(!(m.ks + m.kt).is_black());
             }
         }
+    }
+
+    /// True where anything scatters light in more than single directions.
+    pub fn is_rough(&self) -> bool {
+        self.diffuse + self.glossy > 0
+    }
+
+    /// True where no light can go from one surface to another.
+    pub fn is_alone(&self) -> bool {
+        self.scattering == self.flat && self.scattering <= 1
     }
 
     /// True where nothing shines: every picture is black.
@@ -168,13 +180,10 @@ impl Inventory {
             Effect::AreaLights => self.area_lights > 0,
             Effect::Sky => self.sky != Sky::Black,
             Effect::Diffuse => self.diffuse > 0,
-            Effect::Mirror => self.mirrors > 0,
-            Effect::Transmission => self.clear > 0,
+            Effect::Specular => self.specular > 0,
             Effect::Gloss => self.glossy > 0,
-            Effect::Caustics => {
-                let focuses = self.mirrors + self.clear > 0;
-                focuses && self.diffuse + self.glossy > 0 && self.light_can_be_met()
-            }
+            Effect::Bleeding => self.is_rough() && !self.is_alone(),
+            Effect::Caustics => self.specular > 0 && self.is_rough() && self.light_can_be_met(),
             Effect::Lens => self.lens.is_some(),
             Effect::Motion => self.moving > 0,
         };
@@ -194,10 +203,10 @@ impl Scene {
         };
         let lens = self.camera.lens().unwrap_or(pinhole);
         self.camera = self.camera.with_lens(Some(lens));
-        self.kinds = crate::materials::kinds::ALL;
+        self.kinds = kinds::ALL;
         let lights = self.lights.len();
         self.in_motion
-            .get_or_insert_with(|| super::InMotion::of_nothing(lights));
+            .get_or_insert_with(|| InMotion::of_nothing(lights));
         self.dark = false;
         self
     }

@@ -137,8 +137,8 @@ fn line_of(sizes: &[f64], sums: &[f64], replicates: f64) -> Result<Line, Insuffi
     Line::through(&points).ok_or(Insufficient::Sizes)
 }
 
-/// Student's 97.5 % point.
-fn student_95(freedom: usize) -> f64 {
+/// Student's 97.5 % point: half a 95 % interval in standard errors.
+pub fn student_95(freedom: usize) -> f64 {
     StudentsT::new(0.0, 1.0, freedom as f64).map_or(f64::INFINITY, |t| t.inverse_cdf(0.975))
 }
 

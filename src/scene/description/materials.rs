@@ -3,7 +3,7 @@
 use super::Color;
 
 /// A material: exactly one of its kinds.
-#[derive(Clone, Debug, serde::Deserialize)]
+#[derive(Clone, Debug, Default, serde::Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Material {
     /// Ideal diffuse reflection.

@@ -1,0 +1,283 @@
+//! `halfdisk classify`.
+
+use super::{Stop, answer};
+use crate::desk::{Bar, on_ctrl_c};
+use crate::effects::language::{self, Class, Finds, finds};
+use crate::effects::words::{Words, words};
+use crate::integrators::{Integrator, Named, Path, Restricted};
+use crate::notation::Word;
+use crate::output::{self, Display, Provenance};
+use crate::render::{self, Film, Options};
+use crate::sampling::stream::Sampler;
+use crate::scene::{Scene, gallery};
+use clap::Args;
+use serde_json::json;
+use std::path::PathBuf;
+
+/// Sort a scene's light by its paths, written as words from the light to the eye: L light, D diffuse,
+/// S mirror or glass, G gloss, E eye.
+///
+/// Prints how much light each word and each class of words brings, and which integrator finds which
+/// class; writes a strip of pictures, one for each class, that add up to the last.
+#[derive(Debug, Args)]
+#[command(after_help = AFTER_HELP)]
+pub struct Classify {
+    /// A scene of the gallery (see `halfdisk scenes`), or a path to a .toml file
+    scene: String,
+    /// Samples per pixel
+    #[arg(long, default_value_t = 32, value_parser = clap::value_parser!(u32).range(4..=65_536))]
+    spp: u32,
+    /// Image size in pixels, such as 320x240 [default: the scene's, at most 256 pixels high]
+    #[arg(long, value_name = "WxH", value_parser = super::render::size)]
+    size: Option<[u32; 2]>,
+    /// Words to print
+    #[arg(long, default_value_t = 12)]
+    words: usize,
+    /// Seed of all random numbers
+    #[arg(long, default_value_t = 0)]
+    seed: u64,
+    /// Folder for the pictures
+    #[arg(long, value_name = "DIR")]
+    out: Option<PathBuf>,
+    /// Print all of it as JSON
+    #[arg(long)]
+    json: bool,
+}
+
+const AFTER_HELP: &str = "\
+Examples:
+  halfdisk classify caustic
+      words with their share of the light, classes, and a strip of pictures
+  halfdisk render caustic --paths 'LS+DE'
+      one class alone, as a picture";
+
+/// Renders whose scatter tells the error of a share.
+const REPLICATES: u32 = 4;
+/// Height of pictures nobody asked for in another size.
+const HEIGHT: i64 = 256;
+
+/// A class and its picture.
+struct Sorted {
+    class: Class,
+    film: Film,
+}
+
+impl Classify {
+    pub(super) fn run(self) -> Result<(), Stop> {
+        let scene = gallery::load_with(&self.scene, |said| {
+            said.film.size = match self.size {
+                Some(size) => size.map(i64::from),
+                None => {
+                    let [width, height] = said.film.size;
+                    let smaller = height.clamp(1, HEIGHT);
+                    [width.saturating_mul(smaller) / height.max(1), smaller]
+                }
+            }
+        })?;
+        let Some(paths) = language::of_scene(&scene.inventory) else {
+            return Err(Stop::Input(format!(
+                "{}: no light reaches the eye, so there is nothing to sort (see `halfdisk effects`)",
+                scene.name
+            )));
+        };
+        let folder = self.out.clone().unwrap_or_else(|| {
+            let safe = |c: char| c.is_alphanumeric() || "-_".contains(c);
+            let name = scene.name.replace(|c| !safe(c), "_");
+            PathBuf::from("out").join("classify").join(name)
+        });
+        let strip = folder.join("strip.png");
+        output::prepare(&strip)?;
+
+        let path = Path::new(scene.suggested.max_depth);
+        let options = Options {
+            spp: self.spp,
+            seed: self.seed,
+            sampler: Sampler::Sobol,
+            ..Options::default()
+        };
+        let sorted = self.render(&scene, path, &options)?;
+        let whole = self.one(&scene, "all of it", &path, &options)?;
+        let off = largest_difference(&sorted, &whole);
+        let spp = u64::from(self.spp);
+        let facts = Provenance::new(&scene, "path", path.max_depth, spp, self.seed);
+        let films: Vec<&Film> = sorted.iter().map(|s| &s.film).chain([&whole]).collect();
+        output::write(&strip, &Film::beside(&films), Display::Radiance, &facts)?;
+
+        let quarter = Options {
+            spp: self.spp / REPLICATES,
+            ..options
+        };
+        let words = words(&scene, &path, &quarter, REPLICATES);
+        if self.json {
+            let mut object = as_json(&scene, &words, &sorted, &strip.display().to_string());
+            object["sum_is_off_by"] = json!(off);
+            answer(&(serde_json::to_string_pretty(&object)? + "\n"))
+        } else {
+            eprintln!("wrote {}", strip.display());
+            let mut text = format!("{}: paths {paths}\n", scene.name);
+            text += &describe_words(&words, self.words);
+            text += &describe_classes(&scene, &sorted);
+            text += &format!("the classes add up to the picture within {off:.0e} of its mean\n");
+            answer(&text)
+        }
+    }
+
+    /// The picture of each class that the scene can have.
+    fn render(&self, scene: &Scene, path: Path, options: &Options) -> Result<Vec<Sorted>, Stop> {
+        let there = |class: &Class| finds(Named::Path, *class, &scene.inventory) != Finds::Absent;
+        let picture = |class: Class| {
+            let expression = class.expression();
+            let only = Restricted {
+                path,
+                paths: expression.eye_first(),
+            };
+            let film = self.one(scene, class.name(), &only, options)?;
+            Ok(Sorted { class, film })
+        };
+        Class::ALL.into_iter().filter(there).map(picture).collect()
+    }
+
+    fn one(
+        &self,
+        scene: &Scene,
+        what: &str,
+        integrator: &impl Integrator,
+        options: &Options,
+    ) -> Result<Film, Stop> {
+        let bar = Bar::new(what, on_ctrl_c());
+        let rendered = render::render(scene, integrator, options, &bar);
+        if rendered.interrupted {
+            return Err(Stop::Interrupted);
+        }
+        Ok(rendered.film)
+    }
+}
+
+/// By how much the sum of all classes misses the whole picture, in the worst pixel, relative to the
+/// picture's mean: rounding, for both come from the same samples.
+fn largest_difference(sorted: &[Sorted], whole: &Film) -> f64 {
+    let pictures: Vec<_> = sorted.iter().map(|s| s.film.picture().values).collect();
+    let mut worst = 0.0_f64;
+    for (i, pixel) in whole.picture().values.iter().enumerate() {
+        for c in 0..3 {
+            let sum: f64 = pictures.iter().map(|p| p[i][c]).sum();
+            worst = worst.max((sum - pixel[c]).abs());
+        }
+    }
+    worst / whole.mean().0
+}
+
+fn percent(value: f64, error: f64) -> String {
+    format!("{:>7.3} ± {:.3} %", 100.0 * value, 100.0 * error)
+}
+
+fn describe_words(words: &Words, shown: usize) -> String {
+    let total = words.total.mean();
+    let mut by_share: Vec<_> = words.shares.iter().collect();
+    by_share.sort_by(|a, b| b.1.light.mean().total_cmp(&a.1.light.mean()));
+    let mut text = "\nword         share of the light\n".to_owned();
+    for (word, share) in by_share.iter().take(shown) {
+        let light = &share.light;
+        let line = percent(light.mean() / total, light.std_error() / total);
+        text += &format!("{:<12} {line}\n", word.to_string());
+    }
+    if let Some(rest) = by_share.get(shown..).filter(|rest| !rest.is_empty()) {
+        let light: f64 = rest.iter().map(|(_, share)| share.light.mean()).sum();
+        let label = format!("{} others", rest.len());
+        text += &format!("{label:<12} {:>7.3} %\n", 100.0 * light / total);
+    }
+    text
+}
+
+fn describe_classes(scene: &Scene, sorted: &[Sorted]) -> String {
+    let total: f64 = sorted.iter().map(|s| s.film.mean().0).sum();
+    let names = Named::ALL.map(Named::name);
+    let mut text = format!(
+        "\n{:<36} {:<26} {:<19} {}\n",
+        "class",
+        "words",
+        "share",
+        names.join("  ")
+    );
+    for Sorted { class, film } in sorted {
+        let (mean, error) = film.mean();
+        let share = percent(mean / total, error / total);
+        text += &format!("{:<36} {:<26} {share}  ", class.name(), class.text());
+        for named in Named::ALL {
+            let mark = match finds(named, *class, &scene.inventory) {
+                Finds::All => "all",
+                Finds::Part => "part",
+                Finds::Nothing => "-",
+                Finds::Absent => "",
+            };
+            text += &format!("{mark:<width$}", width = named.name().len() + 2);
+        }
+        text = text.trim_end().to_owned() + "\n";
+    }
+    let missed: Vec<String> = Named::ALL
+        .iter()
+        .filter_map(|&named| missing(named, scene))
+        .collect();
+    text + &missed.concat()
+}
+
+/// The first words an integrator misses of the light of lamps with extent.
+fn missing(named: Named, scene: &Scene) -> Option<String> {
+    let all = language::of_scene(&scene.inventory)?;
+    let found = if scene.inventory.light_can_be_met() {
+        language::of_lamps(named)
+    } else {
+        language::of_points(named)
+    };
+    let Some(found) = found else {
+        return Some(format!("{} misses all of it\n", named.name()));
+    };
+    let missing = all.light_first().difference(found.light_first());
+    let words: Vec<String> = missing.shortest(6).iter().map(Word::to_string).collect();
+    (!words.is_empty()).then(|| format!("{} misses {} …\n", named.name(), words.join(", ")))
+}
+
+fn as_json(scene: &Scene, words: &Words, sorted: &[Sorted], strip: &str) -> serde_json::Value {
+    let total = words.total.mean();
+    let by_word: Vec<_> = words
+        .shares
+        .iter()
+        .map(|(word, share)| {
+            json!({
+                "word": word.to_string(),
+                "share": {
+                    "value": share.light.mean() / total,
+                    "error": share.light.std_error() / total,
+                },
+                "paths": share.paths,
+            })
+        })
+        .collect();
+    let sum: f64 = sorted.iter().map(|s| s.film.mean().0).sum();
+    let classes: Vec<_> = sorted
+        .iter()
+        .map(|Sorted { class, film }| {
+            let (mean, error) = film.mean();
+            let found_by: serde_json::Map<String, serde_json::Value> = Named::ALL
+                .iter()
+                .map(|&named| {
+                    let finds = finds(named, *class, &scene.inventory);
+                    (named.name().to_owned(), json!(finds))
+                })
+                .collect();
+            json!({
+                "class": class,
+                "words": class.text(),
+                "share": { "value": mean / sum, "error": error / sum },
+                "found_by": found_by,
+            })
+        })
+        .collect();
+    json!({
+        "scene": scene.name,
+        "mean": { "value": total, "error": words.total.std_error() },
+        "words": by_word,
+        "classes": classes,
+        "strip": strip,
+    })
+}

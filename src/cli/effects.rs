@@ -1,0 +1,243 @@
+//! `halfdisk effects`.
+
+use super::demand::{Demand, measured_size};
+use super::{Stop, answer};
+use crate::desk::on_ctrl_c;
+use crate::effects::measure::{Difference, Setup, difference};
+use crate::effects::plan::{self, Plan, demand};
+use crate::scene::description::Description;
+use crate::scene::{Effect, Scene, gallery};
+use clap::Args;
+use indicatif::{ProgressBar, ProgressStyle};
+use serde_json::json;
+use std::sync::atomic::Ordering;
+
+/// What a scene calls for and why, what is left out and why.
+#[derive(Debug, Args)]
+#[command(after_help = AFTER_HELP)]
+pub struct EffectsOf {
+    /// A scene of the gallery (see `halfdisk scenes`), or a path to a .toml file
+    scene: String,
+    #[command(flatten)]
+    demand: Demand,
+    /// Measure what each effect costs in time and changes in the picture: renders the scene with and
+    /// without it, in turn
+    #[arg(long)]
+    measure: bool,
+    /// Samples per pixel of each of these renders
+    #[arg(long, default_value_t = 16, value_parser = clap::value_parser!(u32).range(1..=65_536))]
+    spp: u32,
+    /// How often each is rendered
+    #[arg(long, default_value_t = 6, value_parser = clap::value_parser!(u32).range(3..=1000))]
+    rounds: u32,
+    /// Print all of it as JSON
+    #[arg(long)]
+    json: bool,
+}
+
+const AFTER_HELP: &str = "\
+Examples:
+  halfdisk effects caustic
+      what is simulated, what is not, and the light paths that follow
+  halfdisk effects caustic --paths 'LS+DE'
+      what a demand for these paths leaves
+  halfdisk effects lens --measure
+      what each effect costs, and what would be wrong without it";
+
+/// What leaving an effect out would save and lose.
+struct Measured {
+    effect: Effect,
+    difference: Difference,
+}
+
+/// The measurements that were asked for, or those made before Ctrl-C.
+struct Measurements {
+    effects: Vec<Measured>,
+    all_on: Option<Difference>,
+    interrupted: bool,
+}
+
+impl EffectsOf {
+    pub(super) fn run(self) -> Result<(), Stop> {
+        let scene = gallery::load(&self.scene)?;
+        let setup = self.demand.load(&self.scene, |_| {})?;
+        let plan = plan::plan(&setup.scene);
+        let left = setup
+            .wanted
+            .as_ref()
+            .and_then(|wanted| demand(&setup.scene.inventory, &wanted.light_first));
+        let measured = match self.measure {
+            true => Some(self.measure(&scene)?),
+            false => None,
+        };
+        let interrupted = measured.as_ref().is_some_and(|m| m.interrupted);
+        if self.json {
+            let object = json!({
+                "scene": scene.name,
+                "plan": plan,
+                "demand": left,
+                "measured": measured.as_ref().map(as_json),
+            });
+            answer(&(serde_json::to_string_pretty(&object)? + "\n"))?;
+        } else {
+            let mut text = describe(&setup.scene, &plan);
+            if let Some(left) = left {
+                text += &describe_demand(&left);
+            }
+            if let Some(measured) = measured {
+                text += &describe_measurements(&measured, self.spp, self.rounds);
+            }
+            answer(&text)?;
+        }
+        if interrupted {
+            return Err(Stop::Interrupted);
+        }
+        Ok(())
+    }
+
+    /// Each effect that is simulated, with and without.
+    fn measure(&self, scene: &Scene) -> Result<Measurements, Stop> {
+        let small = |said: &mut Description| {
+            said.film.size = measured_size(scene.size).map(i64::from);
+        };
+        let full = Setup {
+            scene: gallery::load_with(&self.scene, small)?,
+            wanted: None,
+        };
+        let stop = on_ctrl_c();
+        let effects: Vec<Effect> = scene.inventory.effects().iter().collect();
+        let bar = ProgressBar::new(effects.len() as u64 + 1);
+        let template = "{msg}  [{bar:32}] {pos} of {len}  {elapsed} gone, {eta} left";
+        if let Ok(style) = ProgressStyle::with_template(template) {
+            bar.set_style(style.progress_chars("=> "));
+        }
+        let mut measured = Measurements {
+            effects: Vec::new(),
+            all_on: None,
+            interrupted: false,
+        };
+        for effect in effects {
+            bar.set_message(effect.name());
+            if stop.load(Ordering::Relaxed) {
+                measured.interrupted = true;
+                break;
+            }
+            let only = Demand {
+                paths: None,
+                without: vec![effect],
+            };
+            let without = only.load_anything(&self.scene, small)?;
+            measured.effects.push(Measured {
+                effect,
+                difference: difference(&full, &without, self.spp, self.rounds),
+            });
+            bar.inc(1);
+        }
+        if !measured.interrupted {
+            bar.set_message("all on");
+            let all_on = Setup {
+                scene: full.scene.clone().with_all_effects(),
+                wanted: None,
+            };
+            measured.all_on = Some(difference(&all_on, &full, self.spp, self.rounds));
+        }
+        bar.finish_and_clear();
+        Ok(measured)
+    }
+}
+
+fn describe(scene: &Scene, plan: &Plan) -> String {
+    let mut text = format!("{}: {}\n", scene.name, scene.about);
+    for (simulated, title) in [(true, "\nsimulated\n"), (false, "\nnot simulated\n")] {
+        let lines: Vec<_> = plan
+            .lines
+            .iter()
+            .filter(|l| l.simulated == simulated)
+            .collect();
+        if !lines.is_empty() {
+            text += title;
+        }
+        for line in lines {
+            text += &format!("  {:<13} {}\n", line.effect.name(), line.reason);
+        }
+    }
+    text += &match &plan.paths {
+        Some(paths) => format!("\nlight paths: {paths}\n"),
+        None => "\nlight paths: none, so the picture is black\n".to_owned(),
+    };
+    if let Some(lost) = &plan.out_of_reach {
+        text += &format!("out of reach: {}: {}\n", lost.paths, lost.reason);
+    }
+    for note in &plan.notes {
+        text += &format!("note: {note}\n");
+    }
+    text
+}
+
+fn describe_demand(left: &plan::Demand) -> String {
+    if left.all {
+        return "the demand: every path of the scene\n".to_owned();
+    }
+    format!(
+        "the demand keeps {} …\n        and leaves out {} …\n",
+        left.kept.join(", "),
+        left.left_out.join(", ")
+    )
+}
+
+fn describe_measurements(measured: &Measurements, spp: u32, rounds: u32) -> String {
+    let mut text = format!(
+        "\nmeasured with {spp} samples per pixel, {rounds} times with and without in turn\n\
+         {:<14} {:<26} {:<22} relative squared error without\n",
+        "effect", "time with / without", "share of the light"
+    );
+    for Measured { effect, difference } in &measured.effects {
+        let share = format!(
+            "{:.2} ± {:.2} %",
+            100.0 * difference.share,
+            100.0 * difference.share_error
+        );
+        text += &format!(
+            "{:<14} {:<26} {share:<22} {:.1e} ± {:.0e}\n",
+            effect.name(),
+            times(difference),
+            difference.rel_mse,
+            difference.rel_mse_error
+        );
+    }
+    if let Some(all_on) = &measured.all_on {
+        text += &format!(
+            "every effect at work, those that are absent at no strength: {} of the time, the same \
+             picture\n",
+            times(all_on)
+        );
+    }
+    text
+}
+
+fn times(difference: &Difference) -> String {
+    let [ratio, low, high] = difference.time();
+    format!("{ratio:.2} [{low:.2}, {high:.2}]")
+}
+
+fn as_json(measured: &Measurements) -> serde_json::Value {
+    let one = |d: &Difference| {
+        let [ratio, low, high] = d.time();
+        json!({
+            "time_ratio": { "value": ratio, "low": low, "high": high },
+            "rays_ratio": d.rays,
+            "share": { "value": d.share, "error": d.share_error },
+            "rel_mse": { "value": d.rel_mse, "error": d.rel_mse_error },
+        })
+    };
+    let effects: Vec<_> = measured
+        .effects
+        .iter()
+        .map(|m| json!({ "effect": m.effect, "difference": one(&m.difference) }))
+        .collect();
+    json!({
+        "effects": effects,
+        "all_effects_on": measured.all_on.as_ref().map(one),
+        "interrupted": measured.interrupted,
+    })
+}

@@ -1,0 +1,230 @@
+//! What is simulated and what is not, with a reason for each, from the scene alone.
+
+use super::language;
+use crate::notation::{Expression, Language, Word};
+use crate::scene::{Effect, Inventory, Scene, Sky};
+use serde::Serialize;
+
+/// What a scene calls for.
+#[derive(Clone, Debug, Serialize)]
+pub struct Plan {
+    /// One line for each effect, in the order of [`Effect::ALL`].
+    pub lines: Vec<Line>,
+    /// The paths the scene can have, as an expression; `None` where no light reaches the eye.
+    pub paths: Option<String>,
+    /// Light that is there, and that no integrator here finds.
+    pub out_of_reach: Option<OutOfReach>,
+    /// What a reader of the scene file may want to know.
+    pub notes: Vec<String>,
+}
+
+/// One effect.
+#[derive(Clone, Debug, Serialize)]
+pub struct Line {
+    /// Which.
+    pub effect: Effect,
+    /// Whether it is simulated.
+    pub simulated: bool,
+    /// Why, or why not, in a sentence.
+    pub reason: String,
+}
+
+/// Light that is there, and that no walk from the eye finds.
+#[derive(Clone, Debug, Serialize)]
+pub struct OutOfReach {
+    /// Its paths.
+    pub paths: String,
+    /// Why, in a sentence.
+    pub reason: String,
+}
+
+/// What a demand for certain paths leaves of a scene's.
+#[derive(Clone, Debug, Serialize)]
+pub struct Demand {
+    /// True where every path of the scene is wanted.
+    pub all: bool,
+    /// The shortest words that are wanted and may occur.
+    pub kept: Vec<String>,
+    /// The shortest words that occur and are not wanted.
+    pub left_out: Vec<String>,
+}
+
+/// Words shown of a language.
+const SHOWN: usize = 5;
+
+/// What a scene calls for.
+pub fn plan(scene: &Scene) -> Plan {
+    let inventory = &scene.inventory;
+    let effects = inventory.effects();
+    let line = |effect| Line {
+        effect,
+        simulated: effects.has(effect),
+        reason: reason(effect, effects.has(effect), inventory),
+    };
+    let out_of_reach = language::out_of_reach(inventory).map(|paths| OutOfReach {
+        paths: paths.to_string(),
+        reason: "the way from a light without extent through mirrors or glass to a rough surface is \
+                 one line, which a walk from the eye meets with probability 0, and shadow rays are \
+                 straight. Only walks that start at the light find it; every integrator here starts \
+                 at the eye, and reads exactly 0"
+            .to_owned(),
+    });
+    Plan {
+        lines: Effect::ALL.map(line).to_vec(),
+        paths: language::of_scene(inventory).map(|paths| paths.to_string()),
+        out_of_reach,
+        notes: notes(scene),
+    }
+}
+
+/// What a demand leaves of a scene's paths; `None` where nothing is left.
+pub fn demand(inventory: &Inventory, wanted: &Language) -> Option<Demand> {
+    let scene = language::of_scene(inventory)?;
+    let all = scene.light_first();
+    let kept = all.intersection(wanted);
+    let words = |language: &Language| {
+        let words = language.shortest(SHOWN);
+        words.iter().map(Word::to_string).collect::<Vec<_>>()
+    };
+    let left_out = all.difference(wanted);
+    (!kept.is_empty()).then(|| Demand {
+        all: left_out.is_empty(),
+        kept: words(&kept),
+        left_out: words(&left_out),
+    })
+}
+
+/// Why an expression can have no path of any scene, where it cannot.
+pub fn never_a_path(wanted: &Expression) -> Option<&'static str> {
+    let paths = language::everything();
+    let any = wanted.light_first().intersection(paths.light_first());
+    any.is_empty().then_some(
+        "matches no light path: a path is L for the light, then any number of D, S and G, then E \
+         for the eye",
+    )
+}
+
+fn reason(effect: Effect, simulated: bool, has: &Inventory) -> String {
+    if has.is_dark() {
+        return "nothing shines, so there is nothing to simulate".to_owned();
+    }
+    match (effect, simulated) {
+        (Effect::PointLights, true) => format!(
+            "{}: found by shadow rays, for no path can meet them",
+            count(
+                has.point_lights,
+                "light without extent",
+                "lights without extent"
+            )
+        ),
+        (Effect::PointLights, false) => "no light is a point or a direction".to_owned(),
+        (Effect::AreaLights, true) => format!(
+            "{}: aimed at, met by chance, and weighted by how likely either was",
+            count(has.area_lights, "surface shines", "surfaces shine")
+        ),
+        (Effect::AreaLights, false) => "no surface shines".to_owned(),
+        (Effect::Sky, true) => match has.sky {
+            Sky::Image => "an image surrounds the scene: aimed at, and met by rays that leave",
+            _ => "the same light comes from everywhere beyond the scene: met by rays that leave",
+        }
+        .to_owned(),
+        (Effect::Sky, false) => "no light comes from beyond the scene".to_owned(),
+        (Effect::Diffuse, true) => format!(
+            "{} light in all directions alike",
+            count(has.diffuse, "object scatters", "objects scatter")
+        ),
+        (Effect::Diffuse, false) => "no object scatters light in all directions alike".to_owned(),
+        (Effect::Specular, true) => format!(
+            "{} light in single directions",
+            count(
+                has.specular,
+                "object mirrors or refracts",
+                "objects mirror or refract"
+            )
+        ),
+        (Effect::Specular, false) => "nothing is a mirror or glass".to_owned(),
+        (Effect::Gloss, true) => format!(
+            "{} light around a direction",
+            count(has.glossy, "object scatters", "objects scatter")
+        ),
+        (Effect::Gloss, false) => "nothing is a rough mirror or rough glass".to_owned(),
+        (Effect::Bleeding, true) if has.diffuse + has.glossy == has.flat && has.flat == 1 => {
+            "one flat surface is rough, and may light itself by way of mirrors or glass".to_owned()
+        }
+        (Effect::Bleeding, true) => "rough surfaces may light each other".to_owned(),
+        (Effect::Bleeding, false) if !has.is_rough() => {
+            "no surface is rough: light goes on in single directions".to_owned()
+        }
+        (Effect::Bleeding, false) => {
+            "there is one flat surface, which cannot light itself".to_owned()
+        }
+        (Effect::Caustics, simulated) => caustics(simulated, has),
+        (Effect::Lens, simulated) => match has.lens.filter(|_| simulated) {
+            Some(lens) => format!(
+                "the lens has a radius of {} and is focused at a distance of {}",
+                lens.radius, lens.focus
+            ),
+            None => {
+                "the camera is a pinhole: its lens has a radius of 0, or there is none".to_owned()
+            }
+        },
+        (Effect::Motion, true) => format!(
+            "{} while the shutter is open",
+            count(has.moving, "object moves", "objects move")
+        ),
+        (Effect::Motion, false) if has.frozen > 0 => format!(
+            "{} a motion, but the shutter is open for no time",
+            count(has.frozen, "object has", "objects have")
+        ),
+        (Effect::Motion, false) => "nothing moves".to_owned(),
+    }
+}
+
+fn caustics(simulated: bool, has: &Inventory) -> String {
+    if simulated {
+        let aimed = match has.casters {
+            0 => "found by chance alone".to_owned(),
+            n => format!(
+                "found by chance, and by looking towards {}",
+                count(n, "mirror or glass", "mirrors and glasses")
+            ),
+        };
+        return format!("mirrors or glass, rough surfaces, and light that can be met: {aimed}");
+    }
+    if has.specular == 0 {
+        "nothing is a mirror or glass, so nothing focuses light"
+    } else if !has.is_rough() {
+        "no surface is rough, so none shows focused light"
+    } else {
+        "no light has an extent, so no path from the eye meets the light that is focused"
+    }
+    .to_owned()
+}
+
+fn notes(scene: &Scene) -> Vec<String> {
+    let mut notes = Vec::new();
+    let unused = &scene.inventory.unused_materials;
+    if !unused.is_empty() {
+        let are = if unused.len() == 1 { "is" } else { "are" };
+        notes.push(format!(
+            "{} {are} defined, but no object uses it: it counts for nothing",
+            unused.join(", ")
+        ));
+    }
+    if !scene.is_dark() && !scene.inventory.is_alone() {
+        notes.push(format!(
+            "paths end at {} segments, which is {} between light and eye (`max_depth`)",
+            scene.suggested.max_depth,
+            count(
+                scene.suggested.max_depth as usize - 1,
+                "surface",
+                "surfaces"
+            )
+        ));
+    }
+    notes
+}
+
+fn count(n: usize, one: &str, many: &str) -> String {
+    format!("{n} {}", if n == 1 { one } else { many })
+}

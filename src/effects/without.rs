@@ -1,0 +1,92 @@
+//! An effect left out on purpose. The picture is wrong by what is missing, and should say by how
+//! much.
+
+use super::language::{self, Wanted};
+use crate::notation::Expression;
+use crate::scene::Effect;
+use crate::scene::description::{Color, Description, Lambert, Material};
+
+/// What is left out.
+#[derive(Clone, Debug, Default)]
+pub struct Without(Vec<Effect>);
+
+impl FromIterator<Effect> for Without {
+    fn from_iter<I: IntoIterator<Item = Effect>>(effects: I) -> Self {
+        Without(effects.into_iter().collect())
+    }
+}
+
+impl Without {
+    /// Nothing.
+    pub fn is_empty(&self) -> bool {
+        self.0.is_empty()
+    }
+
+    /// The effects.
+    pub fn effects(&self) -> &[Effect] {
+        &self.0
+    }
+
+    /// Takes lights, lens and motion out of a scene before it is built.
+    pub fn change(&self, said: &mut Description) {
+        for effect in &self.0 {
+            match effect {
+                Effect::PointLights => said.lights.clear(),
+                Effect::AreaLights => put_out(said),
+                Effect::Sky => (said.background, said.environment) = (None, None),
+                Effect::Lens => said.camera.lens_radius = 0.0,
+                // Everything stays where it is when the shutter opens.
+                Effect::Motion => said.camera.shutter.0[1] = said.camera.shutter.0[0],
+                Effect::Diffuse
+                | Effect::Specular
+                | Effect::Gloss
+                | Effect::Bleeding
+                | Effect::Caustics => {}
+            }
+        }
+    }
+
+    /// The paths that are left of those wanted; `None` where every path counts.
+    pub fn restrict(&self, wanted: Option<&Expression>) -> Option<Wanted> {
+        let everything = language::everything();
+        let lost = self.0.iter().filter_map(|effect| lost(*effect));
+        let lost: Vec<Expression> = lost.filter_map(|text| text.parse().ok()).collect();
+        (wanted.is_some() || !lost.is_empty()).then(|| {
+            lost.iter()
+                .fold(Wanted::new(wanted.unwrap_or(&everything)), Wanted::but)
+        })
+    }
+}
+
+/// Lamps go out: what shone and did nothing else is black, and stands where it stood.
+fn put_out(said: &mut Description) {
+    let black = "what does not shine";
+    let lambert = Lambert {
+        albedo: Color([0.0; 3]),
+    };
+    let material = Material {
+        lambert: Some(lambert),
+        ..Material::default()
+    };
+    for object in &mut said.objects {
+        object.emits = None;
+        if object.material.is_none() {
+            object.material = Some(black.to_owned());
+            said.materials.insert(black.to_owned(), material.clone());
+        }
+    }
+}
+
+/// The paths that an effect brings; `None` for one that is no matter of paths.
+pub fn lost(effect: Effect) -> Option<&'static str> {
+    match effect {
+        Effect::Diffuse => Some(".*D.*"),
+        Effect::Specular => Some(".*S.*"),
+        Effect::Gloss => Some(".*G.*"),
+        Effect::Bleeding => Some(".*[DG].*[DG].*"),
+        Effect::Caustics => Some(".*S[DG].*"),
+        Effect::PointLights | Effect::AreaLights | Effect::Sky | Effect::Lens | Effect::Motion => {
+            None
+        }
+    }
+}
