@@ -6,6 +6,7 @@ mod chapters;
 mod checks;
 mod cli;
 mod determinism;
+mod effects;
 mod film;
 mod flatland;
 mod gather;

@@ -191,24 +191,24 @@ fn describe_words(words: &Words, shown: usize) -> String {
 
 fn describe_classes(scene: &Scene, sorted: &[Sorted]) -> String {
     let total: f64 = sorted.iter().map(|s| s.film.mean().0).sum();
-    let names = Named::ALL.map(Named::name);
-    let mut text = format!(
-        "\n{:<36} {:<26} {:<19} {}\n",
-        "class",
-        "words",
-        "share",
-        names.join("  ")
-    );
+    let mut text = format!("\n{:<35} {:<25} share of the light\n", "class", "words");
     for Sorted { class, film } in sorted {
         let (mean, error) = film.mean();
         let share = percent(mean / total, error / total);
-        text += &format!("{:<36} {:<26} {share}  ", class.name(), class.text());
+        text += &format!("{:<35} {:<25} {share}\n", class.name(), class.text());
+    }
+    text += &format!(
+        "\n{:<25} {}\n",
+        "found by",
+        Named::ALL.map(Named::name).join("  ")
+    );
+    for Sorted { class, .. } in sorted {
+        text += &format!("{:<26}", class.text());
         for named in Named::ALL {
             let mark = match finds(named, *class, &scene.inventory) {
                 Finds::All => "all",
                 Finds::Part => "part",
-                Finds::Nothing => "-",
-                Finds::Absent => "",
+                Finds::Nothing | Finds::Absent => "-",
             };
             text += &format!("{mark:<width$}", width = named.name().len() + 2);
         }

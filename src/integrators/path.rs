@@ -217,3 +217,49 @@ fn aim<const KINDS: u8, const MOVES: bool>(
             Incident::Irradiance(e) => e / probability,
         }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::render::{Film, Options, render};
+    use crate::scene::{Scene, gallery};
+
+    /// A path tracer that always takes one kernel.
+    struct Always<F>(F);
+
+    impl<F: Fn(&mut Tracer, &Ray, &Stream) -> Rgb + Sync> Integrator for Always<F> {
+        fn li(&self, tracer: &mut Tracer, ray: &Ray, stream: &Stream) -> Rgb {
+            self.0(tracer, ray, stream)
+        }
+    }
+
+    fn film(scene: &Scene, integrator: &impl Integrator) -> Film {
+        let options = Options {
+            spp: 4,
+            ..Options::default()
+        };
+        render(scene, integrator, &options, &()).film
+    }
+
+    #[test]
+    fn a_kernel_without_something_that_is_there_is_noticed() {
+        let path = Path::new(6);
+        let load = |name| gallery::load_with(name, |said| said.film.size = [16, 12]).expect(name);
+        let diffuse =
+            Always(|t: &mut Tracer, r: &Ray, s: &Stream| path.still::<{ kinds::DIFFUSE }>(t, r, s));
+        let no_motion =
+            Always(|t: &mut Tracer, r: &Ray, s: &Stream| path.still::<{ kinds::ALL }>(t, r, s));
+        for scene in ["gloss", "caustic", "mixture"].map(load) {
+            assert_ne!(
+                film(&scene, &path),
+                film(&scene, &diffuse),
+                "{}",
+                scene.name
+            );
+        }
+        let motion = load("motion");
+        assert_ne!(film(&motion, &path), film(&motion, &no_motion));
+        let cornell = load("cornell");
+        assert_eq!(film(&cornell, &path), film(&cornell, &diffuse));
+    }
+}
