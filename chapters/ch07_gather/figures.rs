@@ -61,6 +61,7 @@ fn difference(more: &Film, less: &Film) -> Film {
         };
         Pixel {
             channels: [0, 1, 2].map(channel),
+            ..Pixel::default()
         }
     });
     Film::new(more.width(), pixels.collect())

@@ -94,6 +94,7 @@ pub fn forty_paths(desk: &mut Desk, scene: &Scene) -> Result<u64, DeskError> {
         channels: pixel
             .channels
             .map(|c| once(c.variance().sqrt()).collect::<Estimate>()),
+        ..Pixel::default()
     });
     let sigma = Film::new(found.film.width(), sigma.collect());
     let caption = "The box by forty paths for each pixel.";

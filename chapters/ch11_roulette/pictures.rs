@@ -106,6 +106,7 @@ fn heat_map(desk: &mut Desk, roulette: Roulette) -> Result<u64, DeskError> {
         let colour = |x: f64| -> Estimate { std::iter::once(x).collect() };
         Pixel {
             channels: heat(share).map(colour),
+            ..Pixel::default()
         }
     });
     let map = Film::new(lengths.film.width(), pixels.collect());

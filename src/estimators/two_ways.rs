@@ -257,6 +257,7 @@ impl Sums {
             .iter()
             .map(|channels| Pixel {
                 channels: channels.map(estimate),
+                ..Pixel::default()
             })
             .collect()
     }

@@ -8,7 +8,7 @@ use std::io::Cursor;
 /// A film as an EXR file.
 ///
 /// Channels `R`, `G`, `B` hold the mean, `error.R`, `error.G`, `error.B` its standard error
-/// (infinite from one sample), `samples` how many finite samples the pixel has. A pixel without
+/// (infinite from one sample; of even samples from the scatter of their runs), `samples` how many finite samples the pixel has. A pixel without
 /// one is NaN. The provenance is the text attribute `halfdisk`: a single attribute, because the
 /// order of several is not stable from run to run.
 pub fn bytes(film: &Film, provenance: &Provenance) -> std::result::Result<Vec<u8>, OutputError> {
@@ -21,7 +21,7 @@ fn encode(film: &Film, provenance: &Provenance) -> std::result::Result<Vec<u8>, 
         AnyChannel::new(name, FlatSamples::F32(values))
     };
     let mean = |i: usize| move |p: &Pixel| p.mean().map_or(f64::NAN, |m| m[i]);
-    let error = |i: usize| move |p: &Pixel| p.channels[i].std_error();
+    let error = |i: usize| move |p: &Pixel| p.std_errors()[i];
     let channels = [
         channel("R", &mean(0)),
         channel("G", &mean(1)),

@@ -10,6 +10,11 @@ use std::ops::Range;
 pub struct Pixel {
     /// Red, green, blue.
     pub channels: [Estimate; 3],
+    /// Of samples that lie evenly: the means of equally long runs that are independent of each other.
+    /// Without samples where each sample is independent.
+    pub runs: [Estimate; 3],
+    /// How many samples those runs have together.
+    pub in_runs: u64,
 }
 
 impl Pixel {
@@ -21,9 +26,42 @@ impl Pixel {
         }
     }
 
+    /// Ends a run of even samples, of what was added since the last one. Where it is as long as all
+    /// before it (`doubles`), what came before counts as one run, so that all have the same length.
+    pub fn end_run(&mut self, doubles: bool) {
+        let (n, before) = (self.count(), self.in_runs);
+        if n == before {
+            return;
+        }
+        self.in_runs = n;
+        for (runs, all) in self.runs.iter_mut().zip(&self.channels) {
+            let start = runs.mean();
+            if doubles && before > 0 {
+                *runs = Estimate::new();
+                runs.add(start);
+            }
+            // The mean since then; a constant leaves no rounding error.
+            runs.add(all.mean() + (all.mean() - start) * before as f64 / (n - before) as f64);
+        }
+    }
+
     /// How many samples were added.
     pub fn count(&self) -> u64 {
         self.channels[0].count()
+    }
+
+    /// The standard error of each channel's mean: from the scatter of independent runs where samples
+    /// lie evenly, else from that of the samples. Infinite below two samples, where it is unknown.
+    ///
+    /// Of less than two runs nothing but the samples' scatter is known, which overstates it. Samples
+    /// after the last whole run count as if they were as good as those before.
+    pub fn std_errors(&self) -> [f64; 3] {
+        [0, 1, 2].map(|i| match &self.runs[i] {
+            runs if runs.count() >= 2 => {
+                runs.std_error() * (self.in_runs as f64 / self.count() as f64).sqrt()
+            }
+            _ => self.channels[i].std_error(),
+        })
     }
 
     /// The mean of the samples; `None` where there are none.
@@ -119,9 +157,9 @@ impl Film {
         let mut values = Estimate::new();
         let mut squared_error = 0.0;
         for pixel in self.pixels.iter().filter(|p| p.count() > 0) {
-            let third = |f: fn(&Estimate) -> f64| pixel.channels.iter().map(f).sum::<f64>() / 3.0;
-            values.add(third(Estimate::mean));
-            squared_error += third(Estimate::std_error).powi(2);
+            let third = |channels: [f64; 3]| channels.iter().sum::<f64>() / 3.0;
+            values.add(third(pixel.channels.map(|e| e.mean())));
+            squared_error += third(pixel.std_errors()).powi(2);
         }
         let n = values.count().max(1) as f64;
         (values.mean(), squared_error.sqrt() / n)
@@ -132,7 +170,8 @@ impl Film {
         self.into()
     }
 
-    /// The variance of one sample, mean over pixels and channels.
+    /// The variance of one sample, mean over pixels and channels; of even samples, as if each were
+    /// alone.
     pub fn sample_variance(&self) -> f64 {
         let channels = self.pixels.iter().flat_map(|p| p.channels);
         channels.map(|e| e.variance()).collect::<Estimate>().mean()

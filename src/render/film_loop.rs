@@ -1,9 +1,10 @@
 //! Passes over tiles over threads.
 
+use super::target::{Prediction, Reached};
 use super::{BadSample, Film, Pixel};
 use crate::geometry::Ray;
 use crate::integrators::Integrator;
-use crate::sampling::stream::{Purpose, Sampler, Stream};
+use crate::sampling::stream::{EVEN_SAMPLES, Purpose, Sampler, Stream, even_run};
 use crate::scene::{RayCounts, Scene, Tracer};
 use rayon::prelude::*;
 use std::ops::Range;
@@ -43,6 +44,10 @@ pub trait Progress: Sync {
     fn tell(&self, done: u64, total: u64);
     /// True to stop soon and keep what is there.
     fn stop(&self) -> bool;
+    /// A pilot says what a render to a goal will take.
+    fn predicted(&self, _: &Prediction) {}
+    /// A render to a goal got so far.
+    fn reached(&self, _: &Reached) {}
 }
 
 /// Nobody watches and nobody stops.
@@ -71,48 +76,135 @@ pub struct Rendered {
 }
 
 /// Renders a scene on the threads of the current rayon pool.
-///
-/// Samples are taken in passes of 1, 1, 2, 4, 8 … over the whole picture, so that an interrupted
-/// render is a picture everywhere.
 pub fn render(
     scene: &Scene,
     integrator: &impl Integrator,
     options: &Options,
     progress: &impl Progress,
 ) -> Rendered {
-    let start = Instant::now();
-    let mut tiles = tiles(scene.size, options.tile.max(1));
-    let total = u64::from(scene.size[0]) * u64::from(scene.size[1]) * u64::from(options.spp);
-    let done = AtomicU64::new(0);
-    let interrupted = AtomicBool::new(false);
-
-    for pass in passes(options.spp) {
-        tiles.par_iter_mut().for_each(|tile| {
-            if progress.stop() {
-                interrupted.store(true, Ordering::Relaxed);
-                return;
-            }
-            tile.sample(scene, integrator, options, pass.clone());
-            let samples = tile.pixels.len() as u64 * u64::from(pass.end - pass.start);
-            let before = done.fetch_add(samples, Ordering::Relaxed);
-            progress.tell(before + samples, total);
-        });
-    }
-    develop(scene.size, tiles, start.elapsed(), interrupted.into_inner())
+    let mut session = Session::new(scene, integrator, options);
+    session.advance(options.spp, progress);
+    session.finish()
 }
 
-/// The ranges of sample numbers of each pass, each as long as all before it, up to 64.
-fn passes(spp: u32) -> impl Iterator<Item = Range<u32>> {
-    let mut start = 0;
+/// A render that can be looked at and taken further: the film after `n` samples is that of a render
+/// of `n` samples, bit for bit, wherever it paused before.
+#[derive(Debug)]
+pub struct Session<'a, I> {
+    scene: &'a Scene,
+    integrator: &'a I,
+    options: Options,
+    tiles: Vec<Tile>,
+    spp: u32,
+    time: Duration,
+    interrupted: bool,
+}
+
+impl<'a, I: Integrator> Session<'a, I> {
+    /// A render without any sample yet; `options.spp` is how many it tells that there will be.
+    pub fn new(scene: &'a Scene, integrator: &'a I, options: &Options) -> Self {
+        Session {
+            scene,
+            integrator,
+            options: *options,
+            tiles: tiles(scene.size, options.tile.max(1)),
+            spp: 0,
+            time: Duration::ZERO,
+            interrupted: false,
+        }
+    }
+
+    /// Goes on until each pixel has `spp` samples; does nothing where they have more, or where it was
+    /// stopped.
+    ///
+    /// Samples are taken in passes of 1, 1, 2, 4 … 64, 64 … over the whole picture, so that an
+    /// interrupted render is a picture everywhere.
+    pub fn advance(&mut self, spp: u32, progress: &impl Progress) {
+        let start = Instant::now();
+        let (scene, integrator, options) = (self.scene, self.integrator, &self.options);
+        let pixels = u64::from(scene.size[0]) * u64::from(scene.size[1]);
+        let total = pixels * u64::from(spp.max(options.spp));
+        let done = AtomicU64::new(pixels * u64::from(self.spp));
+        let interrupted = AtomicBool::new(self.interrupted);
+
+        for pass in passes(self.spp, spp) {
+            self.tiles.par_iter_mut().for_each(|tile| {
+                if interrupted.load(Ordering::Relaxed) || progress.stop() {
+                    interrupted.store(true, Ordering::Relaxed);
+                    return;
+                }
+                tile.sample(scene, integrator, options, pass.clone());
+                let samples = tile.pixels.len() as u64 * u64::from(pass.end - pass.start);
+                let before = done.fetch_add(samples, Ordering::Relaxed);
+                progress.tell(before + samples, total);
+            });
+        }
+        self.spp = self.spp.max(spp);
+        self.time += start.elapsed();
+        self.interrupted = interrupted.into_inner();
+    }
+
+    /// The samples of each pixel so far, or, once interrupted, at most.
+    pub fn spp(&self) -> u32 {
+        self.spp
+    }
+
+    /// Time spent in the pixel loop so far.
+    pub fn time(&self) -> Duration {
+        self.time
+    }
+
+    /// True once it was stopped.
+    pub fn interrupted(&self) -> bool {
+        self.interrupted
+    }
+
+    /// The picture so far.
+    pub fn film(&self) -> Film {
+        let [width, height] = self.scene.size;
+        let mut pixels = vec![Pixel::default(); width as usize * height as usize];
+        for tile in &self.tiles {
+            let columns = tile.x.len();
+            for (row, y) in tile.pixels.chunks(columns).zip(tile.y.clone()) {
+                let start = y as usize * width as usize + tile.x.start as usize;
+                pixels[start..start + columns].copy_from_slice(row);
+            }
+        }
+        Film::new(width, pixels)
+    }
+
+    /// The end of it.
+    pub fn finish(self) -> Rendered {
+        let mut rays = RayCounts::default();
+        self.tiles.iter().for_each(|tile| rays += tile.rays);
+        let bad = self.tiles.iter().filter_map(|tile| tile.first_bad);
+        Rendered {
+            film: self.film(),
+            rays,
+            time: self.time,
+            non_finite: self.tiles.iter().map(|tile| tile.non_finite).sum(),
+            first_bad: bad.min_by_key(|b| (b.y, b.x, b.sample)),
+            interrupted: self.interrupted,
+        }
+    }
+}
+
+/// The ranges of sample numbers of each pass from `start` to `end`: each as long as all before it, up
+/// to 64, so that none reaches beyond an [`even_run`].
+fn passes(mut start: u32, end: u32) -> impl Iterator<Item = Range<u32>> {
     std::iter::from_fn(move || {
-        let length = start.clamp(1, 64).min(spp - start);
-        let pass = start..start + length;
+        let boundary = match start {
+            0..EVEN_SAMPLES => (start + 1).next_power_of_two(),
+            _ => even_run(start).end,
+        };
+        let pass = start..boundary.min(end);
         start = pass.end;
-        (length > 0).then_some(pass)
+        (!pass.is_empty()).then_some(pass)
     })
 }
 
 /// A rectangle of pixels and what its samples added up to.
+#[derive(Debug)]
 struct Tile {
     x: Range<u32>,
     y: Range<u32>,
@@ -157,6 +249,8 @@ impl Tile {
             .y
             .clone()
             .flat_map(|y| columns.clone().map(move |x| (x, y)));
+        let run = even_run(pass.start);
+        let ends_run = options.sampler == Sampler::Sobol && pass.end == run.end;
         for ((x, y), pixel) in places.zip(&mut self.pixels) {
             for sample in pass.clone() {
                 let (ray, stream) = camera_sample(&mut tracer, options, [x, y], sample);
@@ -171,6 +265,9 @@ impl Tile {
                         self.first_bad = Some(bad);
                     }
                 }
+            }
+            if ends_run {
+                pixel.end_run(run.end == 2 * run.start);
             }
         }
         self.rays += tracer.counts();
@@ -196,35 +293,4 @@ pub fn camera_sample(
         tracer.at_time(stream.at(0, Purpose::Time).one());
     }
     (scene.camera.sample_ray(s, t, &stream), stream)
-}
-
-/// Puts the tiles together.
-fn develop(
-    [width, height]: [u32; 2],
-    tiles: Vec<Tile>,
-    time: Duration,
-    interrupted: bool,
-) -> Rendered {
-    let mut pixels = vec![Pixel::default(); width as usize * height as usize];
-    let mut rays = RayCounts::default();
-    let mut non_finite = 0;
-    let mut bad = Vec::new();
-    for tile in tiles {
-        let columns = tile.x.len();
-        for (row, y) in tile.pixels.chunks(columns).zip(tile.y.clone()) {
-            let start = y as usize * width as usize + tile.x.start as usize;
-            pixels[start..start + columns].copy_from_slice(row);
-        }
-        rays += tile.rays;
-        non_finite += tile.non_finite;
-        bad.extend(tile.first_bad);
-    }
-    Rendered {
-        film: Film::new(width, pixels),
-        rays,
-        time,
-        non_finite,
-        first_bad: bad.into_iter().min_by_key(|b| (b.y, b.x, b.sample)),
-        interrupted,
-    }
 }

@@ -4,11 +4,13 @@
 //! each draws its own random numbers and adds its samples in their order, so neither the number
 //! of threads nor the size of the tiles changes a bit.
 
+pub mod accuracy;
 pub mod compare;
 mod film;
 mod film_loop;
 mod picture;
+pub mod target;
 
 pub use film::{BadSample, Film, Pixel};
-pub use film_loop::{Options, Progress, Rendered, camera_sample, render};
+pub use film_loop::{Options, Progress, Rendered, Session, camera_sample, render};
 pub use picture::Picture;

@@ -16,7 +16,6 @@ pub struct Picture {
 impl From<&Film> for Picture {
     /// Pixels without a sample are NaN.
     fn from(film: &Film) -> Self {
-        let error = |p: &Pixel| p.channels.map(|c| c.std_error());
         let pixels = film.pixels();
         Picture {
             size: [film.width(), film.height()],
@@ -24,7 +23,7 @@ impl From<&Film> for Picture {
                 .iter()
                 .map(|p| p.mean().unwrap_or([f64::NAN; 3]))
                 .collect(),
-            errors: Some(pixels.iter().map(error).collect()),
+            errors: Some(pixels.iter().map(Pixel::std_errors).collect()),
         }
     }
 }

@@ -6,6 +6,7 @@
 
 use rand::RngExt;
 use rand_pcg::Pcg32;
+use std::ops::Range;
 
 /// What a random number decides. Every purpose draws from dimensions of its own.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -41,10 +42,11 @@ pub enum Sampler {
     /// Each without regard to the others. Their scatter tells the error of their mean.
     #[default]
     Independent,
-    /// Evenly: Owen-scrambled Sobol' points, four dimensions for each purpose at each of the first
-    /// places, scrambled on their own. The mean of `2^k` samples is closer to the truth than their
-    /// scatter tells. What is decided later depends on so many numbers before it that evenness is
-    /// lost on it, and is left to independent numbers.
+    /// Evenly, in [runs](even_run) of at most 64: Owen-scrambled Sobol' points, four dimensions for
+    /// each purpose at each of the first places, scrambled on their own. The mean of a whole run is
+    /// closer to the truth than its samples' scatter tells; the runs are independent of each other,
+    /// so *their* scatter tells the error. What is decided later on a path depends on so many numbers
+    /// before it that evenness is lost on it, and is left to independent numbers.
     ///
     /// Sources: Owen, Randomly Permuted (t,m,s)-Nets and (t,s)-Sequences (MCQMC 1995); Burley,
     /// Practical Hash-based Owen Scrambling (JCGT 9(4), 2020).
@@ -62,11 +64,25 @@ pub struct Stream {
     fixed: u16,
 }
 
-/// Points of a Sobol' sequence that can be told apart in `f32`; later ones start another.
-const SOBOL_POINTS: u32 = 1 << 16;
+/// The most samples that lie evenly together. Of twice as many, a picture of few smooth pixels has a
+/// tenth less variance; but then fewer runs are there to tell the error.
+pub const EVEN_SAMPLES: u32 = 64;
 /// The last place whose points lie evenly: in a Cornell box a picture without those of later bounces
 /// is as good, and takes less time.
 const LAST_EVEN_PLACE: u64 = 3;
+
+/// The samples among which sample `sample` lies evenly: 16, 16, 32, then 64 after 64.
+///
+/// So that 32, 64 and 128 samples have two equal halves that are independent, and any multiple of 64
+/// has that many runs.
+pub fn even_run(sample: u32) -> Range<u32> {
+    let start = match sample {
+        0..16 => return 0..16,
+        16..EVEN_SAMPLES => 1 << sample.ilog2(),
+        _ => sample - sample % EVEN_SAMPLES,
+    };
+    start..start.saturating_add(start.min(EVEN_SAMPLES))
+}
 
 impl Stream {
     /// The numbers of sample `sample` of pixel `pixel` (row-major index) in the picture of `seed`,
@@ -80,7 +96,10 @@ impl Stream {
         let picture = mix(seed ^ 0x68_61_6c_66_64_69_73_6b);
         let (start, index) = match sampler {
             Sampler::Independent => (sample, 0),
-            Sampler::Sobol => (sample / SOBOL_POINTS, sample % SOBOL_POINTS),
+            Sampler::Sobol => {
+                let start = even_run(sample).start;
+                (start, sample - start)
+            }
         };
         let address = u64::from(pixel) << 32 | u64::from(start);
         Stream {
@@ -231,12 +250,12 @@ mod tests {
     #[test]
     fn even_points_fill_every_elementary_interval_once() {
         for purpose in [Purpose::Pixel, Purpose::Direction] {
-            let points: Vec<[f32; 2]> = (0..256)
+            let points: Vec<[f32; 2]> = even_run(64)
                 .map(|i| Stream::with(Sampler::Sobol, 7, 5, i).at(2, purpose).two())
                 .collect();
-            for k in 0..=8 {
-                let (columns, rows) = (1 << k, 256 >> k);
-                let mut seen = [false; 256];
+            for k in 0..=6 {
+                let (columns, rows) = (1 << k, 64 >> k);
+                let mut seen = [false; 64];
                 for [x, y] in &points {
                     let cell = (x * columns as f32) as usize * rows + (y * rows as f32) as usize;
                     assert!(!seen[cell], "{columns} x {rows}");
@@ -301,13 +320,20 @@ mod tests {
     }
 
     #[test]
-    fn a_longer_run_than_a_sequence_starts_another() {
+    fn runs_follow_each_other_and_share_no_scrambling() {
+        let runs = [0..16, 16..32, 32..64, 64..128, 128..192, 192..256];
+        for run in &runs {
+            assert!(run.clone().all(|i| even_run(i) == *run), "{run:?}");
+        }
+        assert_eq!(even_run(u32::MAX).end, u32::MAX);
         let at = |i| {
             Stream::with(Sampler::Sobol, 1, 0, i)
                 .at(0, Purpose::Pixel)
                 .two()
         };
-        assert_ne!(at(0), at(SOBOL_POINTS));
+        for (a, b) in runs.iter().zip(&runs[1..]) {
+            assert_ne!(at(a.start), at(b.start));
+        }
         assert_ne!(at(1), at(u32::MAX));
     }
 

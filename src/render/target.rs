@@ -1,0 +1,200 @@
+//! A render that ends when the picture is good enough, or when time is up: how many samples that will
+//! take is found out first, by a pilot.
+//!
+//! A rule that watches a render's own error and stops when it looks small stops too early where bright
+//! events have not come yet, so its pictures are too dark. Here the number of samples follows from a
+//! pilot with random numbers of its own, and the mean of the picture stays unbiased, after Stein, A
+//! Two-Sample Test for a Linear Hypothesis Whose Power is Independent of the Variance (Annals of
+//! Mathematical Statistics 16(3), 1945).
+//!
+//! Only where the error turns out clearly above its target is the render taken further. What is rare and
+//! bright makes both a picture and its error large, so that such a picture is the one that gets more
+//! samples: a bias again, towards the dark, of second order and much smaller than that of the rule
+//! above; `tests/target.rs` measures both.
+
+use super::accuracy::{Accuracy, Measure};
+use super::{Options, Progress, Rendered, Session};
+use crate::integrators::Integrator;
+use crate::sampling::stream::Sampler;
+use crate::scene::Scene;
+use serde::Serialize;
+use std::time::{Duration, Instant};
+
+mod pilot;
+
+pub use pilot::{Pilot, Prediction, pilot_seed, predict};
+
+/// What is asked of a render.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct Goal {
+    /// The relative error it should reach (see [`accuracy`](super::accuracy)).
+    pub error: Option<f64>,
+    /// How the errors of all pixels become one number.
+    pub measure: Measure,
+    /// The time it may take, pilot included.
+    pub time: Option<Duration>,
+}
+
+/// The most samples a pixel may get.
+pub const MOST_SAMPLES: u32 = 1 << 24;
+/// A render goes on where its error is above the target by more than this factor.
+const TOLERANCE: f64 = 1.05;
+/// It never takes more than this times the samples that were predicted.
+const LONGEST: u32 = 4;
+/// How often its error is looked at on the way.
+const LOOKS: u32 = 40;
+
+/// How far a render got.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+pub struct Reached {
+    /// Samples of each pixel.
+    pub spp: u32,
+    /// Seconds since its first sample, without the pilot's.
+    pub seconds: f64,
+    /// Its relative error: by its own account, or, of less than two runs of even samples, by the
+    /// pilot's.
+    pub error: f64,
+    /// Seconds it still needs to the target, where there is one.
+    pub seconds_to_target: Option<f64>,
+    /// Seconds it would still need to half its error.
+    pub seconds_to_half: f64,
+}
+
+/// Why a render ended.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum StoppedBy {
+    /// The error is at its target.
+    Error,
+    /// Time is up, by prediction or by the clock.
+    Time,
+    /// It took the most samples it may, and the error is still above its target.
+    Samples,
+    /// Somebody stopped it.
+    Interrupt,
+}
+
+/// A render that was given a goal.
+#[derive(Clone, Debug)]
+pub struct Outcome {
+    /// The picture: that of a render with `reached.spp` samples under `seed`, unless interrupted.
+    pub rendered: Rendered,
+    /// The seed of the picture: the one that was asked for, or, where even the pilot was interrupted,
+    /// the pilot's.
+    pub seed: u64,
+    /// What the pilot said, unless interrupted.
+    pub prediction: Option<Prediction>,
+    /// How far it got.
+    pub reached: Reached,
+    /// Why it ended.
+    pub stopped_by: StoppedBy,
+    /// How often it went on because its error was above the target.
+    pub extensions: u32,
+}
+
+/// Renders until the goal is met, with as many samples as a pilot says.
+pub fn render_to(
+    scene: &Scene,
+    integrator: &impl Integrator,
+    options: &Options,
+    goal: &Goal,
+    progress: &impl Progress,
+) -> Outcome {
+    let start = Instant::now();
+    let prediction = match predict(scene, integrator, options, goal, progress) {
+        Ok(prediction) => prediction,
+        Err(pilot) => return cut_short(*pilot, options, goal),
+    };
+    progress.predicted(&prediction);
+
+    let options = Options {
+        spp: prediction.spp,
+        ..*options
+    };
+    let mut session = Session::new(scene, integrator, &options);
+    let most = prediction.spp.saturating_mul(LONGEST).min(MOST_SAMPLES);
+    let (mut aim, mut extensions) = (prediction.spp, 0);
+    loop {
+        let step = (aim / LOOKS).max(1);
+        session.advance(aim.min(session.spp() + step), progress);
+        let reached = look(&session, &options, goal, &prediction);
+        progress.reached(&reached);
+        let stopped_by = if session.interrupted() {
+            StoppedBy::Interrupt
+        } else if goal.time.is_some_and(|time| start.elapsed() >= time) {
+            StoppedBy::Time
+        } else if session.spp() < aim {
+            continue;
+        } else {
+            match goal.error {
+                None => StoppedBy::Time,
+                Some(target) if reached.error <= TOLERANCE * target => StoppedBy::Error,
+                Some(_) if prediction.limited_by == StoppedBy::Time => StoppedBy::Time,
+                Some(_) if aim >= most => StoppedBy::Samples,
+                Some(target) => {
+                    extensions += 1;
+                    let need = f64::from(aim) * (reached.error / target).powi(2);
+                    aim = pilot::round_up(need, options.sampler).min(most);
+                    continue;
+                }
+            }
+        };
+        return Outcome {
+            rendered: session.finish(),
+            seed: options.seed,
+            prediction: Some(prediction),
+            reached,
+            stopped_by,
+            extensions,
+        };
+    }
+}
+
+/// How far a session got.
+fn look(
+    session: &Session<impl Integrator>,
+    options: &Options,
+    goal: &Goal,
+    prediction: &Prediction,
+) -> Reached {
+    let error = if session.spp() < fewest(options.sampler) {
+        prediction.error * (f64::from(prediction.spp) / f64::from(session.spp())).sqrt()
+    } else {
+        Accuracy::of(&session.film()).error(goal.measure)
+    };
+    reached(session.spp(), session.time().as_secs_f64(), error, goal)
+}
+
+fn reached(spp: u32, seconds: f64, error: f64, goal: &Goal) -> Reached {
+    let until = |target: f64| seconds * ((error / target).powi(2) - 1.0).max(0.0);
+    Reached {
+        spp,
+        seconds,
+        error,
+        seconds_to_target: goal.error.map(until),
+        seconds_to_half: 3.0 * seconds,
+    }
+}
+
+/// The fewest samples that know their error.
+pub fn fewest(sampler: Sampler) -> u32 {
+    match sampler {
+        Sampler::Independent => 2,
+        Sampler::Sobol => 32,
+    }
+}
+
+/// A pilot that was interrupted is a picture, too.
+fn cut_short(rendered: Rendered, options: &Options, goal: &Goal) -> Outcome {
+    let least = rendered.film.pixels().iter().map(|p| p.count()).min();
+    let error = Accuracy::of(&rendered.film).error(goal.measure);
+    let spp = least.unwrap_or(0) as u32;
+    Outcome {
+        seed: pilot_seed(options.seed),
+        prediction: None,
+        reached: reached(spp, rendered.time.as_secs_f64(), error, goal),
+        stopped_by: StoppedBy::Interrupt,
+        extensions: 0,
+        rendered,
+    }
+}

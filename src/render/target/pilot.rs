@@ -1,0 +1,156 @@
+//! A short render with random numbers of its own that tells what a long one will take.
+
+use super::{Goal, MOST_SAMPLES, StoppedBy};
+use crate::integrators::Integrator;
+use crate::render::accuracy::Accuracy;
+use crate::render::{Options, Progress, Rendered, Session};
+use crate::sampling::stream::Sampler;
+use crate::scene::Scene;
+use serde::Serialize;
+use std::time::Instant;
+
+/// What a pilot saw.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+pub struct Pilot {
+    /// Its samples for each pixel.
+    pub spp: u32,
+    /// Its seconds in the pixel loop.
+    pub seconds: f64,
+    /// The relative error of its picture.
+    pub error: f64,
+    /// The relative standard error of that, as far as the scatter of pixels tells.
+    pub uncertainty: f64,
+}
+
+/// What a render will take.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+pub struct Prediction {
+    /// What it was predicted from.
+    pub pilot: Pilot,
+    /// Samples for each pixel.
+    pub spp: u32,
+    /// Seconds in the pixel loop, without the pilot's.
+    pub seconds: f64,
+    /// The relative error then.
+    pub error: f64,
+    /// What sets the number of samples: the error, the time, or the most samples there may be.
+    pub limited_by: StoppedBy,
+}
+
+/// A pilot's first look; it doubles from there.
+const FIRST: u32 = 32;
+/// No pilot ends before this many samples.
+const LEAST: u32 = 64;
+/// A pilot that takes this share of the render's samples has seen enough.
+const LARGEST_SHARE: f64 = 0.25;
+/// One that has taken this share may end where its prediction is steady.
+const SMALLEST_SHARE: f64 = 1.0 / 16.0;
+/// Steady is a prediction that the last doubling changed by less, relatively ...
+const STEADY: f64 = 0.1;
+/// ... of an error whose own relative error is less.
+const SURE: f64 = 0.02;
+/// Seconds below which nothing is steady: clocks and caches are not.
+const SECONDS: f64 = 0.25;
+/// The share of the time there is that a pilot may take.
+const TIME_SHARE: f64 = 0.1;
+
+/// The seed of the pilot of a picture.
+pub fn pilot_seed(seed: u64) -> u64 {
+    !seed
+}
+
+/// Runs a pilot until it can say what a render to the goal will take; the pilot's picture where it is
+/// interrupted.
+pub fn predict(
+    scene: &Scene,
+    integrator: &impl Integrator,
+    options: &Options,
+    goal: &Goal,
+    progress: &impl Progress,
+) -> Result<Prediction, Box<Rendered>> {
+    let start = Instant::now();
+    let options = Options {
+        seed: pilot_seed(options.seed),
+        spp: LEAST,
+        ..*options
+    };
+    let mut session = Session::new(scene, integrator, &options);
+    let mut looks: Vec<Pilot> = Vec::new();
+    let mut before = f64::INFINITY;
+    let mut spp = FIRST;
+    loop {
+        session.advance(spp, progress);
+        if session.interrupted() {
+            return Err(Box::new(session.finish()));
+        }
+        let accuracy = Accuracy::of(&session.film());
+        let look = Pilot {
+            spp,
+            seconds: session.time().as_secs_f64(),
+            error: accuracy.error(goal.measure),
+            uncertainty: accuracy.uncertainty(),
+        };
+        looks.push(look);
+        let prediction = predicted(&looks, &options, goal, start.elapsed().as_secs_f64());
+        let need = f64::from(prediction.spp);
+        let share = f64::from(spp) / need;
+        let steady = (need / before - 1.0).abs() < STEADY && look.uncertainty < SURE;
+        let late = goal.time.is_some_and(|time| {
+            2.0 * start.elapsed().as_secs_f64() > TIME_SHARE * time.as_secs_f64()
+        });
+        let enough =
+            share >= LARGEST_SHARE || share >= SMALLEST_SHARE && steady && look.seconds >= SECONDS;
+        if spp >= LEAST && enough || late {
+            return Ok(prediction);
+        }
+        before = need;
+        spp *= 2;
+    }
+}
+
+/// What follows from the looks so far, `elapsed` seconds after the start.
+///
+/// Even samples are worth more in long runs than in short ones, so a short render is predicted from
+/// the looks at the pilot when it was as short.
+fn predicted(looks: &[Pilot], options: &Options, goal: &Goal, elapsed: f64) -> Prediction {
+    let last = looks[looks.len() - 1];
+    let per_sample = last.seconds / f64::from(last.spp);
+    // The squared error of a render of as many samples as a look, times its samples.
+    let worth = |look: &Pilot| f64::from(look.spp) * look.error * look.error;
+    let worth_of = |spp: f64| {
+        let as_long = looks.iter().rev().find(|look| f64::from(look.spp) <= spp);
+        worth(as_long.unwrap_or(&looks[0]))
+    };
+    let most = f64::from(MOST_SAMPLES);
+    let for_error = goal.error.map_or(most, |target| {
+        let about = worth(&last) / (target * target);
+        round_up(worth_of(about) / (target * target), options.sampler).into()
+    });
+    let for_time = goal.time.map_or(most, |time| {
+        ((time.as_secs_f64() - elapsed) / per_sample)
+            .floor()
+            .max(1.0)
+    });
+    let (spp, limited_by) = match for_error.min(for_time).min(most) {
+        spp if spp < most && spp == for_error => (spp, StoppedBy::Error),
+        spp if spp < most => (spp, StoppedBy::Time),
+        spp => (spp, StoppedBy::Samples),
+    };
+    Prediction {
+        pilot: last,
+        spp: spp as u32,
+        seconds: spp * per_sample,
+        error: (worth_of(spp) / spp).sqrt(),
+        limited_by,
+    }
+}
+
+/// A whole number of samples that is not smaller; of even ones one that few leave a run early.
+pub(super) fn round_up(need: f64, sampler: Sampler) -> u32 {
+    let need = need.clamp(1.0, f64::from(MOST_SAMPLES)).ceil() as u32;
+    let step = match sampler {
+        Sampler::Independent => 1,
+        Sampler::Sobol => (need / 16).next_power_of_two().min(16),
+    };
+    need.next_multiple_of(step)
+}
