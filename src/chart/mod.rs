@@ -1,13 +1,14 @@
 //! The drawing room: numbers and rays become SVG text.
 //!
-//! Four drawings live here, one folder each, and all of them work alike: fill in a plain struct,
+//! Five drawings live here, and all of them work alike: fill in a plain struct,
 //! call `to_svg`, get the text of a picture. Nothing touches a file, and the same struct always
 //! gives the same bytes.
 //!
 //! * [`CurveChart`] — measurements with error bars against closed forms, on linear or log axes;
 //! * [`BarChart`] — a few labelled values side by side;
 //! * [`RayDrawing`] — walls, lamps and rays of the flat world, true to scale;
-//! * [`TreeDrawing`] — the tree of reflected and transmitted rays below one camera ray.
+//! * [`TreeDrawing`] — the tree of reflected and transmitted rays below one camera ray;
+//! * [`HeatMap`] — a value for each pixel of a picture, as a colour.
 //!
 //! [`walk`] draws the rays of a walk. [`flat`] fills in a [`RayDrawing`] from a flat world and the half disk over one of its points.
 //! Behind them: `canvas` (page, pens, letters), `area` (boxes, and where they hide least), `legend`
@@ -21,9 +22,11 @@ mod canvas;
 mod convergence;
 mod curves;
 pub mod flat;
+mod heat;
 mod legend;
 mod plane;
 mod rays;
+mod requirement;
 mod ticks;
 mod tree;
 pub mod walk;
@@ -32,7 +35,9 @@ pub use axis::Axis;
 pub use bars::{Bar, BarChart, BarGroup};
 pub use convergence::convergence_chart;
 pub use curves::{Curve, CurveChart, Point, Style};
+pub use heat::HeatMap;
 pub use rays::{Arc, Bounds, Circle, Dot, Label, RayDrawing, Stroke, StrokeKind};
+pub use requirement::required_chart;
 pub use tree::{EdgeKind, TreeDrawing, TreeNode};
 
 /// Width and height of a drawing in pixels, where its content does not ask for more.

@@ -9,9 +9,11 @@ mod converge;
 mod demand;
 mod doctor;
 mod effects;
+mod maps;
 mod page;
 mod render;
 mod scenes;
+mod stop;
 mod tour;
 
 use crate::desk::INTERRUPTED;
@@ -38,6 +40,7 @@ Start here:
   halfdisk render mine.toml --spp 256 --out mine.exr
   halfdisk effects caustic            what does this scene call for, and why?
   halfdisk classify cornell           how much of its light came by which paths?
+  halfdisk render cornell --target-error 2%
   halfdisk converge half-disk         how fast does its error fall?
   halfdisk doctor                     what do the usual mistakes read?";
 

@@ -1,6 +1,8 @@
 //! `halfdisk render`.
 
 use super::demand::{Demand, bias_json, bias_line};
+use super::maps::Maps;
+use super::stop::{self, Ending};
 use super::{Stop, answer, use_threads};
 use crate::desk::{Bar, on_ctrl_c};
 use crate::effects::{measure::Setup, plan};
@@ -8,7 +10,8 @@ use crate::integrators::{
     Albedo, Depth, Integrator, Named, Normals, Path as PathTracer, Restricted, Whitted,
 };
 use crate::output::{self, Display, Provenance};
-use crate::render::{self, Options, Rendered};
+use crate::render::Options;
+use crate::render::target::{Outcome, fewest, render_to};
 use crate::sampling::stream::Sampler;
 use crate::scene::{Scene, build::film_size, field::Field};
 use clap::{Args, ValueEnum};
@@ -27,9 +30,8 @@ pub struct Render {
     /// How light is computed
     #[arg(long, value_enum, default_value_t = Method::Path)]
     integrator: Method,
-    /// Samples per pixel [default: the scene's suggestion]
-    #[arg(long, value_parser = clap::value_parser!(u32).range(1..=1 << 24))]
-    spp: Option<u32>,
+    #[command(flatten)]
+    ending: Ending,
     /// Longest path in segments: the camera ray is the first, the one to the light the last
     /// [default: the scene's suggestion]
     #[arg(long, value_parser = clap::value_parser!(u32).range(1..=100_000))]
@@ -50,6 +52,8 @@ pub struct Render {
     /// [default: out/SCENE.png]
     #[arg(long, value_name = "FILE")]
     out: Option<PathBuf>,
+    #[command(flatten)]
+    maps: Maps,
     /// Print what was rendered as JSON, to stdout
     #[arg(long)]
     json: bool,
@@ -72,6 +76,10 @@ Examples:
       is the geometry right? colours are directions
   halfdisk render mine.toml --size 640x480 --spp 256 --out mine.exr
       a scene of your own, with the error of each pixel beside its value
+  halfdisk render cornell --target-error 2% --maps
+      as many samples as it takes; and where they are needed
+  halfdisk render caustic --time 30s
+      the best picture of half a minute, and how good it is
   halfdisk render mine.toml --spp 4 --json --quiet
       a first look, and the facts for a program";
 
@@ -109,8 +117,8 @@ enum Method {
 enum Points {
     /// Each sample without regard to the others; their scatter tells the error of their mean
     Independent,
-    /// Owen-scrambled Sobol' points: evenly spread, so the error is smaller than the scatter tells;
-    /// best with 2^k samples per pixel
+    /// Owen-scrambled Sobol' points in runs of up to 64: evenly spread, so the error is smaller; the
+    /// scatter of the runs tells it; best with 16, 32 or a multiple of 64 samples per pixel
     Sobol,
 }
 
@@ -154,7 +162,7 @@ impl Render {
             eprintln!("note: {} is out of reach: {}", lost.paths, lost.reason);
         }
         let light = |named: Named| self.with(&scene, &named.with(max_depth));
-        let rendered = match self.integrator {
+        let outcome = match self.integrator {
             Method::Normals => self.with(&scene, &Normals),
             Method::Albedo => self.with(&scene, &Albedo),
             Method::Depth => self.with(&scene, &Depth),
@@ -173,6 +181,7 @@ impl Render {
                 }
             },
         };
+        let rendered = &outcome.rendered;
         let display = match self.integrator {
             Method::Normals | Method::Albedo => Display::Data { white: 1.0 },
             Method::Depth => Display::Data {
@@ -180,29 +189,38 @@ impl Render {
             },
             _ => Display::Radiance,
         };
-        let spp = u64::from(self.spp(&scene));
+        let (spp, seed) = (u64::from(outcome.spp), outcome.seed);
         let facts = Provenance {
             sampler: self.sampler(),
-            ..Provenance::new(&scene, &self.integrator.name(), max_depth, spp, self.seed)
+            ..Provenance::new(&scene, &self.integrator.name(), max_depth, spp, seed)
         };
         output::write(&path, &rendered.film, display, &facts)?;
         let bias = if self.demand.is_everything() || rendered.interrupted {
             None
         } else {
-            Some(
-                self.demand
-                    .bias(&self.scene, scene.size, self.spp(&scene))?,
-            )
+            Some(self.demand.bias(&self.scene, scene.size, outcome.spp)?)
         };
         if !self.quiet {
-            eprint!("{}", report(&scene, &rendered, self.sampler()));
+            eprint!("{}", report(&scene, &outcome, self.sampler()));
+            eprint!(
+                "{}",
+                stop::report(&outcome, &self.ending.goal(), self.sampler())
+            );
             if let Some(bias) = &bias {
                 eprint!("{}", bias_line(bias));
             }
             eprintln!("wrote {}", path.display());
         }
+        let maps = self
+            .maps
+            .write(&path, &rendered.film, &self.ending.goal())?;
+        if !self.quiet {
+            maps.iter().for_each(|map| eprintln!("wrote {map}"));
+        }
         if self.json {
-            let mut object = as_json(&scene, &facts, &rendered, &path);
+            let mut object = as_json(&scene, &facts, &outcome, &path);
+            object["accuracy"] = stop::as_json(&outcome, &self.ending.goal());
+            object["maps"] = json!(maps);
             object["left_out"] = json!(bias.as_ref().map(bias_json));
             answer(&(serde_json::to_string_pretty(&object)? + "\n"))?;
         }
@@ -212,9 +230,9 @@ impl Render {
         Ok(())
     }
 
-    fn with(&self, scene: &Scene, integrator: &impl Integrator) -> Rendered {
+    fn with(&self, scene: &Scene, integrator: &impl Integrator) -> Outcome {
         let options = Options {
-            spp: self.spp(scene),
+            spp: self.ending.spp(scene.suggested.spp),
             seed: self.seed,
             sampler: self.sampler(),
             ..Options::default()
@@ -225,7 +243,7 @@ impl Render {
         } else {
             Bar::new(&scene.name, stop)
         };
-        render::render(scene, integrator, &options, &bar)
+        render_to(scene, integrator, &options, &self.ending.goal(), &bar)
     }
 
     /// Where the picture goes.
@@ -243,10 +261,6 @@ impl Render {
             (Some(Points::Sobol), _) | (None, Method::Path) => Sampler::Sobol,
             _ => Sampler::Independent,
         }
-    }
-
-    fn spp(&self, scene: &Scene) -> u32 {
-        self.spp.unwrap_or(scene.suggested.spp)
     }
 
     fn max_depth(&self, scene: &Scene) -> Result<u32, Stop> {
@@ -275,7 +289,8 @@ impl Method {
 }
 
 /// What happened, for people.
-fn report(scene: &Scene, rendered: &Rendered, sampler: Sampler) -> String {
+fn report(scene: &Scene, outcome: &Outcome, sampler: Sampler) -> String {
+    let rendered = &outcome.rendered;
     let mut text = String::new();
     let mut line = |l: String| {
         text += &l;
@@ -298,9 +313,10 @@ fn report(scene: &Scene, rendered: &Rendered, sampler: Sampler) -> String {
         rays.total() as f64 / seconds / 1e6
     ));
     let (mean, error) = rendered.film.mean();
-    let note = match sampler {
-        Sampler::Independent => "",
-        Sampler::Sobol => " or less, for the samples lie evenly",
+    let note = if outcome.reached.spp < fewest(sampler) {
+        " or less, for the samples lie evenly and are few"
+    } else {
+        ""
     };
     line(format!(
         "mean of the picture: {mean:.6} ± {error:.1e}{note}"
@@ -330,12 +346,8 @@ fn report(scene: &Scene, rendered: &Rendered, sampler: Sampler) -> String {
 }
 
 /// What happened, for machines.
-fn as_json(
-    scene: &Scene,
-    facts: &Provenance,
-    rendered: &Rendered,
-    path: &Path,
-) -> serde_json::Value {
+fn as_json(scene: &Scene, facts: &Provenance, outcome: &Outcome, path: &Path) -> serde_json::Value {
+    let rendered = &outcome.rendered;
     let seconds = rendered.time.as_secs_f64();
     let (mean, error) = rendered.film.mean();
     json!({

@@ -1,6 +1,7 @@
 //! A progress bar with the time left, on stderr; silent where that is no terminal.
 
 use crate::render::Progress;
+use crate::render::target::{Prediction, Reached};
 use indicatif::{ProgressBar, ProgressStyle};
 use std::sync::atomic::{AtomicBool, Ordering};
 
@@ -9,17 +10,22 @@ use std::sync::atomic::{AtomicBool, Ordering};
 pub struct Bar {
     bar: ProgressBar,
     stop: &'static AtomicBool,
+    speaks: bool,
 }
 
 impl Bar {
     /// A bar labelled `what` that stops its render once `stop` is true.
     pub fn new(what: &str, stop: &'static AtomicBool) -> Self {
         let bar = ProgressBar::new(0).with_message(what.to_owned());
-        let template = "{msg}  [{bar:32}] {percent:>3} %  {elapsed} gone, {eta} left";
+        let template = "{msg}  [{bar:32}] {percent:>3} %  {elapsed} gone, {eta} left{prefix}";
         if let Ok(style) = ProgressStyle::with_template(template) {
             bar.set_style(style.progress_chars("=> "));
         }
-        Bar { bar, stop }
+        Bar {
+            bar,
+            stop,
+            speaks: true,
+        }
     }
 
     /// A bar that shows nothing.
@@ -27,6 +33,7 @@ impl Bar {
         Bar {
             bar: ProgressBar::hidden(),
             stop,
+            speaks: false,
         }
     }
 }
@@ -45,5 +52,16 @@ impl Progress for Bar {
 
     fn stop(&self) -> bool {
         self.stop.load(Ordering::Relaxed)
+    }
+
+    /// Said at once, whether or not there is a terminal: a long wait may follow.
+    fn predicted(&self, said: &Prediction) {
+        if self.speaks {
+            self.bar.suspend(|| eprintln!("{said}"));
+        }
+    }
+
+    fn reached(&self, reached: &Reached) {
+        self.bar.set_prefix(format!("; {reached}"));
     }
 }

@@ -21,8 +21,10 @@ use serde::Serialize;
 use std::time::{Duration, Instant};
 
 mod pilot;
+mod words;
 
 pub use pilot::{Pilot, Prediction, pilot_seed, predict};
+pub use words::{percent, seconds};
 
 /// What is asked of a render.
 #[derive(Clone, Copy, Debug, Default)]
@@ -41,8 +43,10 @@ pub const MOST_SAMPLES: u32 = 1 << 24;
 const TOLERANCE: f64 = 1.05;
 /// It never takes more than this times the samples that were predicted.
 const LONGEST: u32 = 4;
-/// How often its error is looked at on the way.
-const LOOKS: u32 = 40;
+/// Seconds between two looks at its error on the way ...
+const LOOK: f64 = 0.5;
+/// ... and samples before the first.
+const FIRST_LOOK: u32 = 16;
 
 /// How far a render got.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
@@ -68,7 +72,7 @@ pub enum StoppedBy {
     Error,
     /// Time is up, by prediction or by the clock.
     Time,
-    /// It took the most samples it may, and the error is still above its target.
+    /// It has the samples that were asked for, or the most it may take.
     Samples,
     /// Somebody stopped it.
     Interrupt,
@@ -77,13 +81,15 @@ pub enum StoppedBy {
 /// A render that was given a goal.
 #[derive(Clone, Debug)]
 pub struct Outcome {
-    /// The picture: that of a render with `reached.spp` samples under `seed`, unless interrupted.
+    /// The picture: that of a render with `spp` samples under `seed`, unless interrupted.
     pub rendered: Rendered,
     /// The seed of the picture: the one that was asked for, or, where even the pilot was interrupted,
     /// the pilot's.
     pub seed: u64,
-    /// What the pilot said, unless interrupted.
+    /// What the pilot said, where there was one and it was not interrupted.
     pub prediction: Option<Prediction>,
+    /// Samples for each pixel in the end, or, of one that was interrupted, those it aimed at.
+    pub spp: u32,
     /// How far it got.
     pub reached: Reached,
     /// Why it ended.
@@ -92,7 +98,8 @@ pub struct Outcome {
     pub extensions: u32,
 }
 
-/// Renders until the goal is met, with as many samples as a pilot says.
+/// Renders until the goal is met, with as many samples as a pilot says; without a goal, with
+/// `options.spp` samples and no pilot.
 pub fn render_to(
     scene: &Scene,
     integrator: &impl Integrator,
@@ -101,48 +108,48 @@ pub fn render_to(
     progress: &impl Progress,
 ) -> Outcome {
     let start = Instant::now();
-    let prediction = match predict(scene, integrator, options, goal, progress) {
-        Ok(prediction) => prediction,
-        Err(pilot) => return cut_short(*pilot, options, goal),
-    };
-    progress.predicted(&prediction);
+    let mut prediction = None;
+    if goal.error.is_some() || goal.time.is_some() {
+        match predict(scene, integrator, options, goal, progress) {
+            Ok(said) => prediction = Some(said),
+            Err(pilot) => return cut_short(*pilot, options, goal),
+        }
+    }
+    prediction.iter().for_each(|said| progress.predicted(said));
 
+    let mut aim = prediction.map_or(options.spp, |said| said.spp);
     let options = Options {
-        spp: prediction.spp,
+        spp: aim,
         ..*options
     };
+    let most = aim.saturating_mul(LONGEST).min(MOST_SAMPLES);
     let mut session = Session::new(scene, integrator, &options);
-    let most = prediction.spp.saturating_mul(LONGEST).min(MOST_SAMPLES);
-    let (mut aim, mut extensions) = (prediction.spp, 0);
+    let mut extensions = 0;
     loop {
-        let step = (aim / LOOKS).max(1);
-        session.advance(aim.min(session.spp() + step), progress);
-        let reached = look(&session, &options, goal, &prediction);
+        session.advance(aim.min(next_look(&session)), progress);
+        let reached = look(&session, &options, goal, prediction);
         progress.reached(&reached);
-        let stopped_by = if session.interrupted() {
-            StoppedBy::Interrupt
-        } else if goal.time.is_some_and(|time| start.elapsed() >= time) {
-            StoppedBy::Time
-        } else if session.spp() < aim {
-            continue;
-        } else {
-            match goal.error {
-                None => StoppedBy::Time,
-                Some(target) if reached.error <= TOLERANCE * target => StoppedBy::Error,
-                Some(_) if prediction.limited_by == StoppedBy::Time => StoppedBy::Time,
-                Some(_) if aim >= most => StoppedBy::Samples,
-                Some(target) => {
-                    extensions += 1;
-                    let need = f64::from(aim) * (reached.error / target).powi(2);
-                    aim = pilot::round_up(need, options.sampler).min(most);
-                    continue;
-                }
+        let late = goal.time.is_some_and(|time| start.elapsed() >= time);
+        let by_time = prediction.is_some_and(|said| said.limited_by == StoppedBy::Time);
+        let stopped_by = match goal.error {
+            _ if session.interrupted() => StoppedBy::Interrupt,
+            _ if session.spp() < aim && !late => continue,
+            Some(target) if reached.error <= TOLERANCE * target => StoppedBy::Error,
+            _ if late || by_time => StoppedBy::Time,
+            Some(target) if aim < most => {
+                extensions += 1;
+                let need = f64::from(aim) * (reached.error / target).powi(2);
+                aim = pilot::round_up(need, options.sampler).min(most);
+                continue;
             }
+            _ => StoppedBy::Samples,
         };
+        let interrupted = stopped_by == StoppedBy::Interrupt;
         return Outcome {
             rendered: session.finish(),
             seed: options.seed,
-            prediction: Some(prediction),
+            prediction,
+            spp: if interrupted { aim } else { reached.spp },
             reached,
             stopped_by,
             extensions,
@@ -150,17 +157,29 @@ pub fn render_to(
     }
 }
 
+/// How many samples a session should have before its error is looked at again.
+fn next_look(session: &Session<impl Integrator>) -> u32 {
+    let spp = session.spp();
+    if spp == 0 {
+        return FIRST_LOOK;
+    }
+    let rate = f64::from(spp) / session.time().as_secs_f64();
+    let step = (LOOK * rate).min(f64::from(MOST_SAMPLES)) as u32;
+    spp + step.max(spp)
+}
+
 /// How far a session got.
 fn look(
     session: &Session<impl Integrator>,
     options: &Options,
     goal: &Goal,
-    prediction: &Prediction,
+    prediction: Option<Prediction>,
 ) -> Reached {
-    let error = if session.spp() < fewest(options.sampler) {
-        prediction.error * (f64::from(prediction.spp) / f64::from(session.spp())).sqrt()
-    } else {
-        Accuracy::of(&session.film()).error(goal.measure)
+    let error = match prediction {
+        Some(said) if session.spp() < fewest(options.sampler) => {
+            said.error * (f64::from(said.spp) / f64::from(session.spp())).sqrt()
+        }
+        _ => Accuracy::of(&session.film()).error(goal.measure),
     };
     reached(session.spp(), session.time().as_secs_f64(), error, goal)
 }
@@ -176,7 +195,7 @@ fn reached(spp: u32, seconds: f64, error: f64, goal: &Goal) -> Reached {
     }
 }
 
-/// The fewest samples that know their error.
+/// The fewest samples of a pixel that tell their error; fewer even ones can only bound it.
 pub fn fewest(sampler: Sampler) -> u32 {
     match sampler {
         Sampler::Independent => 2,
@@ -192,6 +211,7 @@ fn cut_short(rendered: Rendered, options: &Options, goal: &Goal) -> Outcome {
     Outcome {
         seed: pilot_seed(options.seed),
         prediction: None,
+        spp,
         reached: reached(spp, rendered.time.as_secs_f64(), error, goal),
         stopped_by: StoppedBy::Interrupt,
         extensions: 0,

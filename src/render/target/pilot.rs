@@ -4,7 +4,7 @@ use super::{Goal, MOST_SAMPLES, StoppedBy};
 use crate::integrators::Integrator;
 use crate::render::accuracy::Accuracy;
 use crate::render::{Options, Progress, Rendered, Session};
-use crate::sampling::stream::Sampler;
+use crate::sampling::stream::{EVEN_SAMPLES, Sampler};
 use crate::scene::Scene;
 use serde::Serialize;
 use std::time::Instant;
@@ -39,8 +39,8 @@ pub struct Prediction {
 
 /// A pilot's first look; it doubles from there.
 const FIRST: u32 = 32;
-/// No pilot ends before this many samples.
-const LEAST: u32 = 64;
+/// No pilot ends before this many samples, unless the render is no longer than that.
+const LEAST: u32 = 2 * EVEN_SAMPLES;
 /// A pilot that takes this share of the render's samples has seen enough.
 const LARGEST_SHARE: f64 = 0.25;
 /// One that has taken this share may end where its prediction is steady.
@@ -98,9 +98,9 @@ pub fn predict(
         let late = goal.time.is_some_and(|time| {
             2.0 * start.elapsed().as_secs_f64() > TIME_SHARE * time.as_secs_f64()
         });
-        let enough =
-            share >= LARGEST_SHARE || share >= SMALLEST_SHARE && steady && look.seconds >= SECONDS;
-        if spp >= LEAST && enough || late {
+        let seen = share >= LARGEST_SHARE && spp >= LEAST;
+        let enough = share >= SMALLEST_SHARE && steady && look.seconds >= SECONDS;
+        if seen || share >= 1.0 || spp >= LEAST && enough || late {
             return Ok(prediction);
         }
         before = need;
