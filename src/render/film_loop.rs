@@ -78,9 +78,9 @@ pub struct Rendered {
 /// Renders a scene on the threads of the current rayon pool.
 pub fn render(
     scene: &Scene,
-    integrator: &impl Integrator,
+    integrator: &dyn Integrator,
     options: &Options,
-    progress: &impl Progress,
+    progress: &dyn Progress,
 ) -> Rendered {
     let mut session = Session::new(scene, integrator, options);
     session.advance(options.spp, progress);
@@ -89,10 +89,10 @@ pub fn render(
 
 /// A render that can be looked at and taken further: the film after `n` samples is that of a render
 /// of `n` samples, bit for bit, wherever it paused before.
-#[derive(Debug)]
-pub struct Session<'a, I> {
+#[allow(missing_debug_implementations)] // An integrator need not be printable.
+pub struct Session<'a> {
     scene: &'a Scene,
-    integrator: &'a I,
+    integrator: &'a dyn Integrator,
     options: Options,
     tiles: Vec<Tile>,
     spp: u32,
@@ -100,9 +100,9 @@ pub struct Session<'a, I> {
     interrupted: bool,
 }
 
-impl<'a, I: Integrator> Session<'a, I> {
+impl<'a> Session<'a> {
     /// A render without any sample yet; `options.spp` is how many it tells that there will be.
-    pub fn new(scene: &'a Scene, integrator: &'a I, options: &Options) -> Self {
+    pub fn new(scene: &'a Scene, integrator: &'a dyn Integrator, options: &Options) -> Self {
         Session {
             scene,
             integrator,
@@ -119,7 +119,7 @@ impl<'a, I: Integrator> Session<'a, I> {
     ///
     /// Samples are taken in passes of 1, 1, 2, 4 … 64, 64 … over the whole picture, so that an
     /// interrupted render is a picture everywhere.
-    pub fn advance(&mut self, spp: u32, progress: &impl Progress) {
+    pub fn advance(&mut self, spp: u32, progress: &dyn Progress) {
         let start = Instant::now();
         let (scene, integrator, options) = (self.scene, self.integrator, &self.options);
         let pixels = u64::from(scene.size[0]) * u64::from(scene.size[1]);
@@ -239,7 +239,7 @@ impl Tile {
     fn sample(
         &mut self,
         scene: &Scene,
-        integrator: &impl Integrator,
+        integrator: &dyn Integrator,
         options: &Options,
         pass: Range<u32>,
     ) {

@@ -102,10 +102,10 @@ pub struct Outcome {
 /// `options.spp` samples and no pilot.
 pub fn render_to(
     scene: &Scene,
-    integrator: &impl Integrator,
+    integrator: &dyn Integrator,
     options: &Options,
     goal: &Goal,
-    progress: &impl Progress,
+    progress: &dyn Progress,
 ) -> Outcome {
     let start = Instant::now();
     let mut prediction = None;
@@ -158,7 +158,7 @@ pub fn render_to(
 }
 
 /// How many samples a session should have before its error is looked at again.
-fn next_look(session: &Session<impl Integrator>) -> u32 {
+fn next_look(session: &Session) -> u32 {
     let spp = session.spp();
     if spp == 0 {
         return FIRST_LOOK;
@@ -170,7 +170,7 @@ fn next_look(session: &Session<impl Integrator>) -> u32 {
 
 /// How far a session got.
 fn look(
-    session: &Session<impl Integrator>,
+    session: &Session,
     options: &Options,
     goal: &Goal,
     prediction: Option<Prediction>,

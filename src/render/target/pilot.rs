@@ -63,10 +63,10 @@ pub fn pilot_seed(seed: u64) -> u64 {
 /// interrupted.
 pub fn predict(
     scene: &Scene,
-    integrator: &impl Integrator,
+    integrator: &dyn Integrator,
     options: &Options,
     goal: &Goal,
-    progress: &impl Progress,
+    progress: &dyn Progress,
 ) -> Result<Prediction, Box<Rendered>> {
     let start = Instant::now();
     let options = Options {
