@@ -89,7 +89,6 @@ pub fn render(
 
 /// A render that can be looked at and taken further: the film after `n` samples is that of a render
 /// of `n` samples, bit for bit, wherever it paused before.
-#[allow(missing_debug_implementations)] // An integrator need not be printable.
 pub struct Session<'a> {
     scene: &'a Scene,
     integrator: &'a dyn Integrator,
