@@ -12,6 +12,7 @@ mod effects;
 mod maps;
 mod page;
 mod render;
+mod report;
 mod scenes;
 mod stop;
 mod tour;

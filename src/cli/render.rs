@@ -2,6 +2,7 @@
 
 use super::demand::{Demand, bias_json, bias_line};
 use super::maps::Maps;
+use super::report::{as_json, report};
 use super::stop::{self, Ending};
 use super::{Stop, answer, use_threads};
 use crate::desk::{Bar, on_ctrl_c};
@@ -10,13 +11,13 @@ use crate::integrators::{
     Albedo, Depth, Integrator, Named, Normals, Path as PathTracer, Restricted, Whitted,
 };
 use crate::output::{self, Display, Provenance};
-use crate::render::Options;
-use crate::render::target::{Outcome, fewest, render_to};
+use crate::render::target::{Outcome, render_to};
+use crate::render::{self, Options, Rendered};
 use crate::sampling::stream::Sampler;
 use crate::scene::{Scene, build::film_size, field::Field};
 use clap::{Args, ValueEnum};
 use serde_json::json;
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 
 /// Render a scene.
 ///
@@ -200,8 +201,9 @@ impl Render {
         } else {
             Some(self.demand.bias(&self.scene, scene.size, outcome.spp)?)
         };
+        let too_bright = self.too_bright(&scene, rendered, max_depth);
         if !self.quiet {
-            eprint!("{}", report(&scene, &outcome, self.sampler()));
+            eprint!("{}", report(&scene, &outcome, self.sampler(), too_bright));
             eprint!(
                 "{}",
                 stop::report(&outcome, &self.ending.goal(), self.sampler())
@@ -218,7 +220,7 @@ impl Render {
             maps.iter().for_each(|map| eprintln!("wrote {map}"));
         }
         if self.json {
-            let mut object = as_json(&scene, &facts, &outcome, &path);
+            let mut object = as_json(&scene, &facts, &outcome, too_bright, &path);
             object["accuracy"] = stop::as_json(&outcome, &self.ending.goal());
             object["maps"] = json!(maps);
             object["left_out"] = json!(bias.as_ref().map(bias_json));
@@ -244,6 +246,17 @@ impl Render {
             Bar::new(&scene.name, stop)
         };
         render_to(scene, integrator, &options, &self.ending.goal(), &bar)
+    }
+
+    /// Pixels that show more light than there can be.
+    fn too_bright(&self, scene: &Scene, rendered: &Rendered, max_depth: u32) -> usize {
+        let longest = match self.integrator {
+            Method::Normals | Method::Albedo | Method::Depth => return 0,
+            Method::Roulette => u32::MAX,
+            _ => max_depth,
+        };
+        let bound = scene.brightest(longest);
+        bound.map_or(0, |bound| render::too_bright(&rendered.film, bound))
     }
 
     /// Where the picture goes.
@@ -286,83 +299,4 @@ impl Method {
         self.to_possible_value()
             .map_or_else(String::new, |v| v.get_name().to_owned())
     }
-}
-
-/// What happened, for people.
-fn report(scene: &Scene, outcome: &Outcome, sampler: Sampler) -> String {
-    let rendered = &outcome.rendered;
-    let mut text = String::new();
-    let mut line = |l: String| {
-        text += &l;
-        text.push('\n');
-    };
-    let seconds = rendered.time.as_secs_f64();
-    let rays = rendered.rays;
-    let [w, h] = scene.size;
-    line(format!(
-        "{}: {w} x {h}, {} shapes, built in {:.3} s, rendered in {seconds:.3} s",
-        scene.name,
-        scene.report.shapes,
-        scene.report.time.as_secs_f64(),
-    ));
-    line(format!(
-        "rays: {} camera, {} secondary, {} shadow; {:.2} million per second",
-        rays.camera,
-        rays.secondary,
-        rays.shadow,
-        rays.total() as f64 / seconds / 1e6
-    ));
-    let (mean, error) = rendered.film.mean();
-    let note = if outcome.reached.spp < fewest(sampler) {
-        " or less, for the samples lie evenly and are few"
-    } else {
-        ""
-    };
-    line(format!(
-        "mean of the picture: {mean:.6} ± {error:.1e}{note}"
-    ));
-    if scene.report.degenerate_triangles > 0 {
-        line(format!(
-            "note: {} triangles without area were left out",
-            scene.report.degenerate_triangles
-        ));
-    }
-    if let Some(bad) = rendered.first_bad {
-        line(format!(
-            "warning: {} samples were not finite and are in no mean; the first is sample {} of \
-             pixel {},{}",
-            rendered.non_finite, bad.sample, bad.x, bad.y
-        ));
-    }
-    if rendered.interrupted {
-        let counts = rendered.film.pixels().iter().map(|p| p.count());
-        line(format!(
-            "interrupted: the picture has {} to {} samples per pixel",
-            counts.clone().min().unwrap_or(0),
-            counts.max().unwrap_or(0)
-        ));
-    }
-    text
-}
-
-/// What happened, for machines.
-fn as_json(scene: &Scene, facts: &Provenance, outcome: &Outcome, path: &Path) -> serde_json::Value {
-    let rendered = &outcome.rendered;
-    let seconds = rendered.time.as_secs_f64();
-    let (mean, error) = rendered.film.mean();
-    json!({
-        "facts": facts,
-        "size": scene.size,
-        "shapes": scene.report.shapes,
-        "degenerate_triangles": scene.report.degenerate_triangles,
-        "build_seconds": scene.report.time.as_secs_f64(),
-        "seconds": seconds,
-        "rays": rendered.rays,
-        "rays_per_second": rendered.rays.total() as f64 / seconds,
-        "mean": { "value": mean, "error": error },
-        "non_finite": rendered.non_finite,
-        "first_non_finite": rendered.first_bad,
-        "interrupted": rendered.interrupted,
-        "out": path.display().to_string(),
-    })
 }

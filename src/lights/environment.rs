@@ -55,6 +55,12 @@ impl EnvironmentLight {
         })
     }
 
+    /// The largest channel of any pixel.
+    pub fn brightest(&self) -> f32 {
+        let largest = self.pixels.iter().map(|p| p.max_channel());
+        largest.fold(0.0, f32::max)
+    }
+
     /// Radiance from the unit direction `w`.
     pub fn radiance(&self, w: Vec3) -> Rgb {
         let (row, column) = self.pixel(w);

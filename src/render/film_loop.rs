@@ -1,6 +1,7 @@
 //! Passes over tiles over threads.
 
 use super::target::{Prediction, Reached};
+use super::watch::{Faults, Watch};
 use super::{BadSample, Film, Pixel};
 use crate::geometry::Ray;
 use crate::integrators::Integrator;
@@ -69,8 +70,12 @@ pub struct Rendered {
     pub time: Duration,
     /// Samples that came out as NaN or infinity. They are in no mean, and never painted over.
     pub non_finite: u64,
-    /// The first of them in row order.
+    /// These and others that no light can have brought, by cause.
+    pub faults: Faults,
+    /// The first of them all in row order.
     pub first_bad: Option<BadSample>,
+    /// The largest channel of a sample without fault.
+    pub largest: f32,
     /// True where it was stopped before its last sample.
     pub interrupted: bool,
 }
@@ -175,14 +180,19 @@ impl<'a> Session<'a> {
     /// The end of it.
     pub fn finish(self) -> Rendered {
         let mut rays = RayCounts::default();
-        self.tiles.iter().for_each(|tile| rays += tile.rays);
-        let bad = self.tiles.iter().filter_map(|tile| tile.first_bad);
+        let mut watch = Watch::default();
+        for tile in &self.tiles {
+            rays += tile.rays;
+            watch.join(tile.watch);
+        }
         Rendered {
             film: self.film(),
             rays,
             time: self.time,
-            non_finite: self.tiles.iter().map(|tile| tile.non_finite).sum(),
-            first_bad: bad.min_by_key(|b| (b.y, b.x, b.sample)),
+            non_finite: watch.faults.non_finite(),
+            faults: watch.faults,
+            first_bad: watch.first,
+            largest: watch.largest,
             interrupted: self.interrupted,
         }
     }
@@ -210,8 +220,7 @@ struct Tile {
     /// Row by row.
     pixels: Vec<Pixel>,
     rays: RayCounts,
-    non_finite: u64,
-    first_bad: Option<BadSample>,
+    watch: Watch,
 }
 
 fn tiles([width, height]: [u32; 2], side: u32) -> Vec<Tile> {
@@ -227,8 +236,7 @@ fn tiles([width, height]: [u32; 2], side: u32) -> Vec<Tile> {
                 y,
                 pixels: vec![Pixel::default(); count],
                 rays: RayCounts::default(),
-                non_finite: 0,
-                first_bad: None,
+                watch: Watch::default(),
             }
         })
         .collect()
@@ -254,15 +262,8 @@ impl Tile {
             for sample in pass.clone() {
                 let (ray, stream) = camera_sample(&mut tracer, options, [x, y], sample);
                 let li = integrator.li(&mut tracer, &ray, &stream);
-                if li.is_finite() {
+                if self.watch.admits(li, BadSample { x, y, sample }) {
                     pixel.add(li);
-                } else {
-                    self.non_finite += 1;
-                    let bad = BadSample { x, y, sample };
-                    let key = |b: BadSample| (b.y, b.x, b.sample);
-                    if self.first_bad.is_none_or(|first| key(bad) < key(first)) {
-                        self.first_bad = Some(bad);
-                    }
                 }
             }
             if ends_run {

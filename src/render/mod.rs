@@ -10,7 +10,9 @@ mod film;
 mod film_loop;
 mod picture;
 pub mod target;
+mod watch;
 
 pub use film::{BadSample, Film, Pixel};
 pub use film_loop::{Options, Progress, Rendered, Session, camera_sample, render};
 pub use picture::Picture;
+pub use watch::{Faults, too_bright};

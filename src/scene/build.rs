@@ -9,6 +9,7 @@ use super::parts::Parts;
 use super::placement::Placement;
 use super::{
     BuildReport, Casters, Inventory, Object, Scene, Sky, Suggested, lamps, mesh_file, procedural,
+    spacing,
 };
 use crate::camera::{Camera, Lens};
 use crate::geometry::{Bvh, Mesh, Quad, Shape, Sphere};
@@ -67,6 +68,7 @@ pub fn build(said: &Description, folder: Option<&Path>) -> Checked<Scene> {
     parts.lights.extend(environment);
     let radius = motion::radius(&parts.all, &parts.spans);
     let count = parts.all.len();
+    let coarse = spacing::coarse(parts.all.iter().map(|(shape, _)| shape));
     let (shapes, object_of_shape, in_motion) =
         motion::part(parts.all, &parts.objects, &parts.spans, parts.lights.len());
     let casters = Casters::new(&parts.objects, &shapes, &object_of_shape);
@@ -97,6 +99,7 @@ pub fn build(said: &Description, folder: Option<&Path>) -> Checked<Scene> {
         report: BuildReport {
             shapes: count,
             degenerate_triangles: parts.degenerate_triangles,
+            coarse,
             time: Duration::ZERO,
         },
         kinds: kinds(&parts.objects),

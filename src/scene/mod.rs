@@ -4,6 +4,7 @@
 //! it and makes a [`Scene`], [`gallery`] holds the scenes that come with the program, and
 //! [`tracer`] is the only way integrators look at a scene: it counts what they ask.
 
+mod brightest;
 pub mod build;
 mod casters;
 pub mod description;
@@ -18,12 +19,14 @@ mod parts;
 mod placement;
 mod procedural;
 pub mod read;
+mod spacing;
 pub mod tracer;
 
 pub use casters::{Casters, SeenCasters};
 pub use effects::{Effect, Effects, Inventory, Sky};
 pub use gallery::load;
 pub use read::SceneError;
+pub use spacing::Coarse;
 pub use tracer::{Hit, RayCounts, Tracer};
 
 use crate::camera::Camera;
@@ -130,6 +133,8 @@ pub struct BuildReport {
     pub shapes: usize,
     /// Triangles left out because they have no area.
     pub degenerate_triangles: usize,
+    /// What is too small for the numbers that say where it is.
+    pub coarse: Option<Coarse>,
     /// Time to read, check and build.
     pub time: Duration,
 }

@@ -1,0 +1,120 @@
+//! What happened in a render: in words, and for programs.
+
+use crate::output::Provenance;
+use crate::render::Faults;
+use crate::render::target::{Outcome, fewest};
+use crate::sampling::stream::Sampler;
+use crate::scene::Scene;
+use serde_json::json;
+use std::path::Path;
+
+/// What happened, for people.
+pub(super) fn report(
+    scene: &Scene,
+    outcome: &Outcome,
+    sampler: Sampler,
+    too_bright: usize,
+) -> String {
+    let rendered = &outcome.rendered;
+    let mut text = String::new();
+    let mut line = |l: String| {
+        text += &l;
+        text.push('\n');
+    };
+    let seconds = rendered.time.as_secs_f64();
+    let rays = rendered.rays;
+    let [w, h] = scene.size;
+    line(format!(
+        "{}: {w} x {h}, {} shapes, built in {:.3} s, rendered in {seconds:.3} s",
+        scene.name,
+        scene.report.shapes,
+        scene.report.time.as_secs_f64(),
+    ));
+    line(format!(
+        "rays: {} camera, {} secondary, {} shadow; {:.2} million per second",
+        rays.camera,
+        rays.secondary,
+        rays.shadow,
+        rays.total() as f64 / seconds / 1e6
+    ));
+    let (mean, error) = rendered.film.mean();
+    let note = if outcome.reached.spp < fewest(sampler) {
+        " or less, for the samples lie evenly and are few"
+    } else {
+        ""
+    };
+    line(format!(
+        "mean of the picture: {mean:.6} ± {error:.1e}{note}"
+    ));
+    if scene.report.degenerate_triangles > 0 {
+        line(format!(
+            "note: {} triangles without area were left out",
+            scene.report.degenerate_triangles
+        ));
+    }
+    if let Some(coarse) = scene.report.coarse {
+        line(format!(
+            "warning: {} shapes are so small for where they stand that rounding changes their form: \
+             numbers there are up to {} apart, counted from the camera",
+            coarse.shapes, coarse.step
+        ));
+    }
+    if let Some(bad) = rendered.first_bad {
+        let Faults {
+            nan,
+            infinite,
+            negative,
+        } = rendered.faults;
+        line(format!(
+            "warning: samples that no light brings: {nan} not a number and {infinite} infinite, \
+             which are in no mean, {negative} negative; the first is sample {} of pixel {},{}",
+            bad.sample, bad.x, bad.y
+        ));
+    }
+    if too_bright > 0 {
+        line(format!(
+            "warning: {too_bright} pixels are brighter than the scene's lights and albedos allow"
+        ));
+    }
+    if rendered.interrupted {
+        let counts = rendered.film.pixels().iter().map(|p| p.count());
+        line(format!(
+            "interrupted: the picture has {} to {} samples per pixel",
+            counts.clone().min().unwrap_or(0),
+            counts.max().unwrap_or(0)
+        ));
+    }
+    text
+}
+
+/// What happened, for machines.
+pub(super) fn as_json(
+    scene: &Scene,
+    facts: &Provenance,
+    outcome: &Outcome,
+    too_bright: usize,
+    path: &Path,
+) -> serde_json::Value {
+    let rendered = &outcome.rendered;
+    let seconds = rendered.time.as_secs_f64();
+    let (mean, error) = rendered.film.mean();
+    json!({
+        "facts": facts,
+        "size": scene.size,
+        "shapes": scene.report.shapes,
+        "degenerate_triangles": scene.report.degenerate_triangles,
+        "build_seconds": scene.report.time.as_secs_f64(),
+        "seconds": seconds,
+        "rays": rendered.rays,
+        "rays_per_second": rendered.rays.total() as f64 / seconds,
+        "mean": { "value": mean, "error": error },
+        "coarse_shapes": scene.report.coarse.map_or(0, |c| c.shapes),
+        "non_finite": rendered.non_finite,
+        "faults": rendered.faults,
+        "largest_sample": rendered.largest,
+        "too_bright_pixels": too_bright,
+        "first_non_finite": rendered.first_bad,
+        "interrupted": rendered.interrupted,
+        "out": path.display().to_string(),
+    })
+}
