@@ -157,19 +157,24 @@ proptest! {
     }
 
     #[test]
-    fn meshes(kind in 0..4, changes in prop::collection::vec(change(), 1..4)) {
-        let (name, mut bytes) = match kind {
-            0 => ("m.ply", TETRAHEDRON.ply(Ply::Ascii)),
-            1 => ("m.ply", TETRAHEDRON.ply(Ply::Little)),
-            2 => ("m.ply", TETRAHEDRON.ply(Ply::Big)),
-            _ => ("m.obj", TETRAHEDRON.obj(|i| format!("{}/1/1", i + 1))),
-        };
-        changes.iter().for_each(|c| apply(&mut bytes, c));
-        FOLDER.with(|folder| {
-            std::fs::write(folder.path().join(name), &bytes).unwrap();
-            load(&scene(name), Some(folder.path()));
-        });
+    fn meshes(kind in 0..4_usize, changes in prop::collection::vec(change(), 1..4)) {
+        load_mesh(kind, &changes);
     }
+}
+
+/// Loads a scene with a tetrahedron from a file of some kind, changed.
+fn load_mesh(kind: usize, changes: &[Change]) -> Option<Scene> {
+    let (name, mut bytes) = match kind {
+        0 => ("m.ply", TETRAHEDRON.ply(Ply::Ascii)),
+        1 => ("m.ply", TETRAHEDRON.ply(Ply::Little)),
+        2 => ("m.ply", TETRAHEDRON.ply(Ply::Big)),
+        _ => ("m.obj", TETRAHEDRON.obj(|i| format!("{}/1/1", i + 1))),
+    };
+    changes.iter().for_each(|c| apply(&mut bytes, c));
+    FOLDER.with(|folder| {
+        std::fs::write(folder.path().join(name), &bytes).unwrap();
+        load(&scene(name), Some(folder.path()))
+    })
 }
 
 thread_local! {
@@ -207,4 +212,63 @@ fn every_number_at_the_edges() {
         }
     }
     assert!(loaded > 100, "{loaded}");
+}
+
+/// Changes files at random, as many as asked for, and checks each.
+fn many<T: std::fmt::Debug>(
+    cases: u32,
+    strategy: impl Strategy<Value = T>,
+    check: impl Fn(T),
+) -> String {
+    let start = std::time::Instant::now();
+    let mut runner = proptest::test_runner::TestRunner::new(ProptestConfig {
+        cases,
+        rng_seed: proptest::test_runner::RngSeed::Fixed(2),
+        failure_persistence: None,
+        ..ProptestConfig::default()
+    });
+    let all = runner.run(&strategy, |case| {
+        check(case);
+        Ok(())
+    });
+    all.unwrap();
+    // Linux says how much memory was in use at most, in kB.
+    let status = std::fs::read_to_string("/proc/self/status").unwrap_or_default();
+    let most = status.lines().find_map(|l| l.strip_prefix("VmHWM:"));
+    let most = most.unwrap_or("unknown").trim().to_owned();
+    let kilobytes = most.trim_end_matches(" kB").parse::<u64>().unwrap_or(0);
+    assert!(kilobytes < 1 << 20, "more than 1 GiB: {most}");
+    format!("{cases} files in {:?}, at most {most}", start.elapsed())
+}
+
+#[test]
+#[ignore = "takes minutes: ask for it by name"]
+fn long_a_million_scene_files() {
+    let changes = (0..GALLERY.len() + 1, prop::collection::vec(change(), 1..6));
+    let loaded = std::cell::Cell::new(0);
+    let said = many(1_000_000, changes, |(which, changes)| {
+        let text = GALLERY.get(which).map_or(SCENE, |(_, text)| *text);
+        let mut bytes = text.as_bytes().to_vec();
+        changes.iter().for_each(|c| apply(&mut bytes, c));
+        let scene = load(&String::from_utf8_lossy(&bytes), None);
+        loaded.set(loaded.get() + usize::from(scene.is_some()));
+    });
+    println!(
+        "{said}: {} are scenes, the others errors with a line",
+        loaded.get()
+    );
+}
+
+#[test]
+#[ignore = "takes minutes: ask for it by name"]
+fn long_a_hundred_thousand_mesh_files() {
+    let loaded = std::cell::Cell::new(0);
+    let changes = (0..4_usize, prop::collection::vec(change(), 1..6));
+    let said = many(100_000, changes, |(kind, changes)| {
+        loaded.set(loaded.get() + usize::from(load_mesh(kind, &changes).is_some()));
+    });
+    println!(
+        "{said}: {} are meshes, the others errors with a line",
+        loaded.get()
+    );
 }

@@ -52,6 +52,12 @@ pub(super) fn report(
             scene.report.degenerate_triangles
         ));
     }
+    if scene.report.hidden_lamps > 0 {
+        line(format!(
+            "note: {} lamps in the very place of an earlier one were left out",
+            scene.report.hidden_lamps
+        ));
+    }
     if let Some(coarse) = scene.report.coarse {
         line(format!(
             "warning: {} shapes are so small for where they stand that rounding changes their form: \
@@ -108,6 +114,7 @@ pub(super) fn as_json(
         "rays": rendered.rays,
         "rays_per_second": rendered.rays.total() as f64 / seconds,
         "mean": { "value": mean, "error": error },
+        "hidden_lamps": scene.report.hidden_lamps,
         "coarse_shapes": scene.report.coarse.map_or(0, |c| c.shapes),
         "non_finite": rendered.non_finite,
         "faults": rendered.faults,

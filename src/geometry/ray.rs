@@ -47,7 +47,7 @@ impl Ray {
 pub struct PreparedRay {
     pub(super) origin: Vec3,
     pub(super) direction: Vec3,
-    /// Componentwise reciprocal of the direction; infinite where that is zero.
+    /// Componentwise reciprocal of the direction; infinite where that is as good as zero.
     pub(super) inverse: Vec3,
     /// The axes in the order (x', y', z'), where z' is the one the ray runs along most.
     pub(super) axes: [usize; 3],
@@ -57,7 +57,10 @@ pub struct PreparedRay {
 
 impl From<&Ray> for PreparedRay {
     fn from(ray: &Ray) -> Self {
-        let d = ray.direction;
+        // A component so small that its reciprocal is none counts as zero, for shapes as for boxes:
+        // or the two would not agree on where the ray goes.
+        let inverse = ray.direction.recip();
+        let d = Vec3::select(inverse.is_finite_mask(), ray.direction, ray.direction * 0.0);
         let size = d.abs();
         let z = if size.x > size.y && size.x > size.z {
             0
@@ -74,7 +77,7 @@ impl From<&Ray> for PreparedRay {
         PreparedRay {
             origin: ray.origin,
             direction: d,
-            inverse: d.recip(),
+            inverse,
             axes: [x, y, z],
             shear: [d[x] / d[z], d[y] / d[z]],
         }

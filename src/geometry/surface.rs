@@ -1,7 +1,7 @@
 //! A point on a surface, and the rays that leave it.
 
 use super::Ray;
-use crate::numeric::{gamma, offset_origin};
+use crate::numeric::{gamma, length_and_direction, offset_origin};
 use glam::Vec3;
 
 /// A point on a surface with all that rays need to leave it.
@@ -46,11 +46,10 @@ impl Surface {
 }
 
 fn segment(from: Vec3, to: Vec3) -> Ray {
-    let span = to - from;
-    let distance = span.length();
+    let (distance, direction) = length_and_direction(to - from);
     Ray {
         origin: from,
-        direction: span / distance,
+        direction,
         // The normalised direction may overshoot by a few roundings.
         t_max: distance * (1.0 - gamma(8)),
     }

@@ -49,7 +49,10 @@ impl SphereLight {
         let radius = f64::from(self.sphere.radius);
         let chord = (radius * radius - (distance2 - along * along)).max(0.0);
         let from_center = toward * (along - chord.sqrt()) - cone.to_center;
-        let target = self.sphere.surface_towards(from_center.normalize());
+        // So far away that `f64` does not tell the near end from the centre, any end will do.
+        let target = self
+            .sphere
+            .surface_towards(from_center.try_normalize().unwrap_or(-axis));
 
         let shadow_ray = from.spawn_to(&target);
         Some(LightSample {
@@ -79,14 +82,15 @@ impl SphereLight {
         4.0 * PI * f64::from(self.sphere.radius).powi(2)
     }
 
-    /// The cone in which `from` sees the sphere; `None` inside and on it.
+    /// The cone in which `from` sees the sphere; `None` inside and on it, and where it is too small for
+    /// a density.
     fn cone(&self, from: &Surface) -> Option<Cone> {
         let to_center = self.sphere.center.as_dvec3() - from.p.as_dvec3();
         let radius = f64::from(self.sphere.radius);
         let distance2 = to_center.length_squared();
         let sin2_max = radius * radius / distance2;
         let one_minus_cos_max = one_minus_cos(sin2_max as f32);
-        if !(sin2_max < 1.0 && one_minus_cos_max > 0.0) {
+        if !(sin2_max < 1.0 && one_minus_cos_max >= f32::MIN_POSITIVE) {
             return None;
         }
         // A point of the sphere itself, rounded outwards, would see the light beneath its feet.

@@ -11,7 +11,7 @@ mod quadratic;
 mod rounding;
 
 pub use quadratic::{Roots, quadratic};
-pub use rounding::{UNIT_ROUNDOFF, gamma, offset_origin};
+pub use rounding::{UNIT_ROUNDOFF, gamma, length_and_direction, offset_origin};
 
 /// Sine of an angle in radians.
 pub fn sin(x: f32) -> f32 {

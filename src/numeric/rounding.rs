@@ -13,6 +13,18 @@ pub const fn gamma(n: u32) -> f32 {
     nu / (1.0 - nu)
 }
 
+/// The length of a vector and its unit direction; NaN for the zero vector.
+///
+/// Squares of lengths above 1e19 overflow, and those below 1e-19 lose their digits: the vector is
+/// brought near 1 first, by a power of two, which changes no bit of the others.
+pub fn length_and_direction(v: Vec3) -> (f32, Vec3) {
+    let power = f32::from_bits(v.abs().max_element().to_bits() & 0x7f80_0000);
+    let scale = if power > 0.0 { power } else { 1.0 };
+    let near_one = v / scale;
+    let length = near_one.length();
+    (length * scale, near_one / length)
+}
+
 /// Moves a hit point off its surface, to the side that `direction` leaves on.
 ///
 /// * `p` is the computed point; the true one lies within `error` of it, coordinate by coordinate.
@@ -73,6 +85,18 @@ mod tests {
             let distance = (moved - p).as_dvec3().dot(n.as_dvec3()) * f64::from(side);
             assert!(distance >= f64::from(n.abs().dot(error)), "{distance}");
         }
+    }
+
+    #[test]
+    fn vectors_of_any_length_have_a_direction() {
+        let v = Vec3::new(3.0, -4.0, 12.0);
+        for k in [-120, -70, -1, 0, 1, 70, 120] {
+            let scale = libm::exp2(f64::from(k)) as f32;
+            let (length, direction) = length_and_direction(v * scale);
+            assert_eq!((length, direction), (13.0 * scale, v / 13.0), "2^{k}");
+        }
+        assert_eq!((v * 1e20).normalize(), Vec3::ZERO, "the plain form");
+        assert!(length_and_direction(Vec3::ZERO).1.is_nan());
     }
 
     #[test]

@@ -52,6 +52,8 @@ pub fn build(said: &Description, folder: Option<&Path>) -> Checked<Scene> {
         degenerate_triangles: 0,
         inventory: Inventory::default(),
         used: BTreeSet::new(),
+        lamp_places: Default::default(),
+        hidden_lamps: 0,
     };
     for (i, light) in said.lights.iter().enumerate() {
         parts.add_light(&top.key("lights").item(i), light)?;
@@ -100,6 +102,7 @@ pub fn build(said: &Description, folder: Option<&Path>) -> Checked<Scene> {
             shapes: count,
             degenerate_triangles: parts.degenerate_triangles,
             coarse,
+            hidden_lamps: parts.hidden_lamps,
             time: Duration::ZERO,
         },
         kinds: kinds(&parts.objects),
@@ -187,7 +190,7 @@ impl Parts<'_> {
             self.inventory.count(material, &shapes);
         }
         match emission {
-            Some(radiance) => self.push_lamp(shapes, material, radiance),
+            Some(radiance) => self.push_lamp(shapes, material, radiance, way.span),
             None => self.push(shapes, material, None),
         }
         self.spans.resize(self.objects.len(), way.span);

@@ -12,6 +12,7 @@ use crate::lights::{
     TriangleLight,
 };
 use crate::materials::Material;
+use glam::Vec3;
 use std::path::Path;
 
 impl Parts<'_> {
@@ -39,12 +40,22 @@ impl Parts<'_> {
     }
 
     /// Adds shapes that shine: all triangles as one light, all others one by one.
+    ///
+    /// A lamp in the very place of an earlier one is left out and counted: no ray ever meets it, and
+    /// aimed at it would shine all the same.
     pub(super) fn push_lamp(
         &mut self,
-        shapes: Vec<Shape>,
+        mut shapes: Vec<Shape>,
         material: Option<Material>,
         radiance: Rgb,
+        span: Vec3,
     ) {
+        let before = shapes.len();
+        shapes.retain(|shape| self.lamp_places.insert(place_of(shape, span)));
+        self.hidden_lamps += before - shapes.len();
+        if shapes.is_empty() {
+            return;
+        }
         let triangles = shapes.iter().map(|shape| match shape {
             Shape::Triangle(triangle) => Some(*triangle),
             Shape::Quad(_) | Shape::Sphere(_) => None,
@@ -89,6 +100,19 @@ impl Parts<'_> {
         });
         self.all.extend(shapes.into_iter().map(|s| (s, object)));
     }
+}
+
+/// The bits of where a shape is and moves to.
+fn place_of(shape: &Shape, span: Vec3) -> Vec<u32> {
+    let points = match shape {
+        Shape::Sphere(s) => vec![s.center, Vec3::splat(s.radius)],
+        Shape::Quad(q) => q.corners().to_vec(),
+        Shape::Triangle(t) => vec![t.a, t.b, t.c],
+    };
+    let all = points.iter().chain([&span]);
+    // Zeros of both signs are one place.
+    all.flat_map(|p| p.to_array().map(|x| (x + 0.0).to_bits()))
+        .collect()
 }
 
 /// Pixels an environment may have: each takes 20 bytes.

@@ -133,6 +133,8 @@ pub struct BuildReport {
     pub shapes: usize,
     /// Triangles left out because they have no area.
     pub degenerate_triangles: usize,
+    /// Shapes of lamps left out because an earlier lamp shines in their very place.
+    pub hidden_lamps: usize,
     /// What is too small for the numbers that say where it is.
     pub coarse: Option<Coarse>,
     /// Time to read, check and build.

@@ -28,6 +28,10 @@ pub(super) struct Parts<'a> {
     pub(super) inventory: Inventory,
     /// Names of the materials that objects use.
     pub(super) used: BTreeSet<String>,
+    /// Where lamps are, to the last bit.
+    pub(super) lamp_places: BTreeSet<Vec<u32>>,
+    /// Shapes left out because a lamp shines in their very place.
+    pub(super) hidden_lamps: usize,
 }
 
 impl Parts<'_> {

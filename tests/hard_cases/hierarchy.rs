@@ -5,8 +5,18 @@ use glam::{DVec3, Vec3};
 use halfdisk::geometry::{Bvh, Crossing, Quad, Ray, Shape, Sphere, Triangle, brute_force};
 
 /// Casts the rays through tree and loop, demands the same shape at the same bits, counts the hits.
-fn compare(name: &str, shapes: &[Shape], rays: impl IntoIterator<Item = Ray>) -> usize {
-    let bvh = Bvh::new(shapes);
+pub fn compare(name: &str, shapes: &[Shape], rays: impl IntoIterator<Item = Ray>) -> usize {
+    compare_with(name, shapes, shapes, rays)
+}
+
+/// The same with a tree that may have been built of other shapes.
+pub fn compare_with(
+    name: &str,
+    built_of: &[Shape],
+    shapes: &[Shape],
+    rays: impl IntoIterator<Item = Ray>,
+) -> usize {
+    let bvh = Bvh::new(built_of);
     let mut hits = 0;
     for ray in rays {
         let tree = bvh.first(&ray).map(|f| (f.id, f.crossing));
@@ -157,32 +167,44 @@ fn a09_exponential_spacing_does_not_exhaust_the_stack() {
     assert!(hits > 10);
 }
 
+/// A scene of shapes whose numbers are random bits, and rays through it, half of them aimed.
+pub fn garbage(scene: u32, rays: u32) -> usize {
+    let mut draw = Draw::new(99, scene);
+    let mut word = move || (draw.below(1 << 16) << 16 | draw.below(1 << 16)) as u32;
+    let mut point = || Vec3::from_array(std::array::from_fn(|_| f32::from_bits(word())));
+    let count = 1 + scene as usize % 255;
+    let shapes: Vec<Shape> = (0..count)
+        .map(|i| {
+            let [a, b, c] = std::array::from_fn(|_| point());
+            match (scene as usize + i) % 8 {
+                0 => Shape::Sphere(Sphere::new(a, b.x.abs())),
+                1 => Quad::new(a.as_dvec3(), b.as_dvec3(), c.as_dvec3())
+                    .map_or(triangle(a, b, c), Shape::Quad),
+                _ => triangle(a, b, c),
+            }
+        })
+        .collect();
+    let aimed = (0..rays as usize).map(|i| {
+        let origin = point();
+        let bounds = shapes[i / 3 % count].bounds();
+        let share = i as f32 / rays as f32;
+        let target = bounds.min * share + bounds.max * (1.0 - share);
+        match (i % 3, shapes[i / 3 % count]) {
+            (0, Shape::Triangle(t)) => Draw::towards(origin, t.a * 0.25 + t.b * 0.25 + t.c * 0.5),
+            (1, Shape::Triangle(t)) => {
+                Draw::towards(Vec3::splat(1.0), t.a * 0.3 + t.b * 0.3 + t.c * 0.4)
+            }
+            (2, _) => Ray::new(origin, point()),
+            _ => Draw::towards(origin, target),
+        }
+    });
+    let aimed: Vec<Ray> = aimed.collect();
+    compare("garbage", &shapes, aimed)
+}
+
 #[test]
 fn a09_garbage_as_vertices() {
-    let mut hits = 0;
-    for scene in 0..200 {
-        let mut draw = Draw::new(99, scene);
-        let mut word = || (draw.below(1 << 16) << 16 | draw.below(1 << 16)) as u32;
-        let count = 1 + word() as usize % 255;
-        let shapes: Vec<Shape> = (0..count)
-            .map(|_| [(); 3].map(|_| Vec3::from_array([(); 3].map(|_| f32::from_bits(word())))))
-            .map(|[a, b, c]| triangle(a, b, c))
-            .collect();
-        let aimed: Vec<Ray> = (0..100)
-            .map(|i| {
-                let origin = Vec3::from_array([(); 3].map(|_| f32::from_bits(word())));
-                let Shape::Triangle(t) = shapes[word() as usize % count] else {
-                    unreachable!()
-                };
-                match i % 3 {
-                    0 => Draw::towards(origin, t.a * 0.25 + t.b * 0.25 + t.c * 0.5),
-                    1 => Draw::towards(Vec3::splat(1.0), t.a * 0.3 + t.b * 0.3 + t.c * 0.4),
-                    _ => Ray::new(origin, t.b),
-                }
-            })
-            .collect();
-        hits += compare("garbage", &shapes, aimed);
-    }
+    let hits: usize = (1000..1200).map(|scene| garbage(scene, 100)).sum();
     println!("200 scenes of random bits: {hits} of 20000 rays hit");
     assert!(hits > 1000);
 }

@@ -30,9 +30,88 @@
 //! | A36 rough white furnace | `furnace::a36_*` | 40 readings within 4.4 errors | one that reads 1 |
 
 mod draw;
+mod film_and_input;
 mod geometry;
 mod hierarchy;
 mod leaving;
 mod moving;
 mod naive;
+mod properties;
+mod sampling;
+mod scattering;
+mod structure;
+mod viewing;
 mod watertight;
+
+use halfdisk::scene::Scene;
+use halfdisk::scene::description::Description;
+use halfdisk::scene::gallery;
+use halfdisk::scene::read::Source;
+
+/// A scene of these objects and lights, seen from the origin along `z`.
+fn scene(text: &str) -> Scene {
+    let start = "camera = { from = [0, 0, 0], to = [0, 0, 1], fov = 40 }\nname = 'test'\n\
+                 materials.half.lambert.albedo = 0.5\n";
+    let text = start.to_owned() + text;
+    let source = Source {
+        file: "test.toml",
+        text: &text,
+    };
+    gallery::from_text(source, None, |_| {}).expect("a proper scene")
+}
+
+/// A closed room with a ball that scatters, one of glass, and a lamp below the ceiling.
+const ROOM: &str = "name = 'room'
+[camera]
+from = [0.2, 1, 3.7]
+to = [0, 0.9, 0]
+fov = 60
+[materials]
+white.lambert.albedo = 0.7
+red.lambert.albedo = [0.6, 0.1, 0.1]
+glass.glass.ior = 1.5
+[[objects]]
+material = 'white'
+quad = { corner = [-2, 0, 4], u = [4, 0, 0], v = [0, 0, -6] }
+[[objects]]
+material = 'white'
+quad = { corner = [-2, 3, -2], u = [4, 0, 0], v = [0, 0, 6] }
+[[objects]]
+material = 'white'
+quad = { corner = [-2, 0, -2], u = [4, 0, 0], v = [0, 3, 0] }
+[[objects]]
+material = 'white'
+quad = { corner = [2, 0, 4], u = [-4, 0, 0], v = [0, 3, 0] }
+[[objects]]
+material = 'red'
+quad = { corner = [-2, 0, 4], u = [0, 0, -6], v = [0, 3, 0] }
+[[objects]]
+material = 'white'
+quad = { corner = [2, 0, -2], u = [0, 0, 6], v = [0, 3, 0] }
+[[objects]]
+material = 'red'
+sphere = { center = [-0.8, 0.6, 0.1], radius = 0.55 }
+[[objects]]
+material = 'glass'
+sphere = { center = [0.9, 0.55, 0.8], radius = 0.5 }
+[[objects]]
+emits = 6
+quad = { corner = [-0.6, 2.9, -0.4], u = [1.2, 0, 0], v = [0, 0, 0.9] }
+";
+
+/// The room, changed before it is built.
+fn room_with(size: [i64; 2], change: impl FnOnce(&mut Description)) -> Scene {
+    let source = Source {
+        file: "room.toml",
+        text: ROOM,
+    };
+    let sized = |said: &mut Description| {
+        said.film.size = size;
+        change(said);
+    };
+    gallery::from_text(source, None, sized).expect("a proper scene")
+}
+
+fn room(size: [i64; 2]) -> Scene {
+    room_with(size, |_| {})
+}

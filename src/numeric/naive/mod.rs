@@ -15,7 +15,7 @@ pub use geometry::{
     triangle,
 };
 pub use sampling::{
-    basis, cosine_flat, cosine_solid, cumulative, one_minus_cos, power_weight, radical_inverse,
-    survival, uniform, uniform_flat,
+    basis, cosine_flat, cumulative, lifted, one_minus_cos, power_weight, radical_inverse, survival,
+    uniform, uniform_flat,
 };
 pub use scattering::{absorption, fresnel, ggx, refract, schlick};

@@ -1,7 +1,7 @@
 //! Uniforms, directions, weights.
 
 use glam::{Vec2, Vec3};
-use std::f32::consts::{PI, TAU};
+use std::f32::consts::PI;
 
 /// A uniform from a word of 32 bits: 1 for the 128 largest of them.
 pub fn uniform(word: u32) -> f32 {
@@ -33,12 +33,10 @@ pub fn cosine_flat(u: f32) -> Vec2 {
     Vec2::new(sin, cos)
 }
 
-/// A direction of the hemisphere, proportional to the cosine: a point of the disk, lifted. At the rim
-/// `z` is 0, and `f cos / pdf` is 0 / 0.
-pub fn cosine_solid([u, v]: [f32; 2]) -> Vec3 {
-    let (sin, cos) = libm::sincosf(TAU * v);
-    let (x, y) = (u.sqrt() * cos, u.sqrt() * sin);
-    Vec3::new(x, y, (1.0 - x * x - y * y).max(0.0).sqrt())
+/// A direction of the hemisphere above a point of the unit disk: lifted to the sphere. At the rim `z`
+/// is 0, and `f cos / pdf` is 0 / 0.
+pub fn lifted(p: Vec2) -> Vec3 {
+    p.extend((1.0 - p.length_squared()).max(0.0).sqrt())
 }
 
 /// `1 - cos θ` from `sin² θ`: 7 % off at `sin = 1e-3`, and 0 below `1.7e-4`.
