@@ -36,6 +36,7 @@ pub(super) const GREEN: RGBColor = RGBColor(0, 158, 115);
 pub(super) const ORANGE: RGBColor = RGBColor(230, 159, 0);
 pub(super) const SKY: RGBColor = RGBColor(86, 180, 233);
 pub(super) const PURPLE: RGBColor = RGBColor(204, 121, 167);
+pub(super) const UMBER: RGBColor = RGBColor(122, 72, 32);
 pub(super) const INK: RGBColor = RGBColor(34, 34, 34);
 pub(super) const GREY: RGBColor = RGBColor(110, 110, 110);
 pub(super) const PALE: RGBColor = RGBColor(195, 195, 195);
@@ -43,7 +44,10 @@ pub(super) const FAINT: RGBColor = RGBColor(236, 236, 236);
 
 /// The colours of Okabe and Ito, which stay apart for colour-blind eyes. Their yellow is left
 /// out: it fades on white.
-const PALETTE: [RGBColor; 7] = [BLUE, VERMILLION, GREEN, PURPLE, ORANGE, SKY, INK];
+/// An umber and a grey follow for drawings of many curves.
+const PALETTE: [RGBColor; 9] = [
+    BLUE, VERMILLION, GREEN, PURPLE, ORANGE, SKY, INK, UMBER, GREY,
+];
 
 /// Height of the strip at the top that belongs to the title.
 pub(super) const TITLE_BAND: i32 = px(48);

@@ -6,6 +6,7 @@
 mod classify;
 mod completions;
 mod converge;
+mod cost;
 mod demand;
 mod doctor;
 mod effects;
@@ -43,6 +44,7 @@ Start here:
   halfdisk classify cornell           how much of its light came by which paths?
   halfdisk render cornell --target-error 2%
   halfdisk converge half-disk         how fast does its error fall?
+  halfdisk cost cornell               what does accuracy cost?
   halfdisk doctor                     what do the usual mistakes read?";
 
 #[derive(Debug, Subcommand)]
@@ -55,6 +57,8 @@ enum Action {
     Scenes(scenes::Scenes),
     /// Measure how fast the error of an estimator falls
     Converge(converge::Converge),
+    /// Measure what accuracy costs in a scene, for every method
+    Cost(cost::Cost),
     /// Name the mistake behind a wrong reading, or list the mistakes
     Doctor(doctor::Doctor),
     /// Say what a scene calls for and why, what is left out and why, and what each effect costs
@@ -73,6 +77,7 @@ impl Command {
             Action::Render(render) => render.run(),
             Action::Scenes(scenes) => scenes.run(),
             Action::Converge(converge) => converge.run(),
+            Action::Cost(cost) => cost.run(),
             Action::Doctor(doctor) => doctor.run(),
             Action::Effects(effects) => effects.run(),
             Action::Classify(classify) => classify.run(),

@@ -1,9 +1,11 @@
 //! Repeated runs that end in data.
 //!
 //! * [`convergence`]: how an estimator's error falls with its samples;
+//! * [`cost`]: what accuracy costs, for every way to make a picture;
 //! * [`named`]: the estimators one can ask for by name;
 //! * [`price`]: what the same error costs two ways.
 
 pub mod convergence;
+pub mod cost;
 pub mod named;
 pub mod price;

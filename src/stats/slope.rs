@@ -95,19 +95,33 @@ impl Fit {
 ///
 /// Source: Efron, Stein, The Jackknife Estimate of Variance (Annals of Statistics 9(3), 1981).
 pub fn fit(sizes: &[f64], squares: &[Vec<f64>]) -> Result<Fit, Insufficient> {
+    let sizes = vec![sizes.to_vec(); squares.len()];
+    fit_measured(&sizes, squares)
+}
+
+/// The same against costs that were measured, such as seconds: `costs[r][k]` is what replicate `r`
+/// paid at size `k`, positive. A point's place is the mean of its costs, and leaving out a replicate
+/// leaves out its cost, too.
+pub fn fit_measured(costs: &[Vec<f64>], squares: &[Vec<f64>]) -> Result<Fit, Insufficient> {
     let replicates = squares.len();
     if replicates < 2 {
         return Err(Insufficient::Replicates);
     }
-    let sums: Vec<f64> = (0..sizes.len())
-        .map(|k| squares.iter().map(|row| row[k]).sum())
-        .collect();
-    let line = line_of(sizes, &sums, replicates as f64)?;
+    let sums_of = |rows: &[Vec<f64>]| -> Vec<f64> {
+        (0..rows[0].len())
+            .map(|k| rows.iter().map(|row| row[k]).sum())
+            .collect()
+    };
+    let (paid, sums) = (sums_of(costs), sums_of(squares));
+    let line = line_of(&paid, &sums, replicates as f64)?;
     // The slope without replicate r, for each r in turn.
     let mut slopes = Vec::with_capacity(replicates);
-    for row in squares {
-        let others: Vec<f64> = sums.iter().zip(row).map(|(sum, own)| sum - own).collect();
-        slopes.push(line_of(sizes, &others, (replicates - 1) as f64)?.slope);
+    for (cost, square) in costs.iter().zip(squares) {
+        let without = |sums: &[f64], row: &[f64]| -> Vec<f64> {
+            sums.iter().zip(row).map(|(sum, own)| sum - own).collect()
+        };
+        let (paid, sums) = (without(&paid, cost), without(&sums, square));
+        slopes.push(line_of(&paid, &sums, (replicates - 1) as f64)?.slope);
     }
     let r = replicates as f64;
     let mean = slopes.iter().sum::<f64>() / r;
@@ -125,14 +139,15 @@ pub fn fit(sizes: &[f64], squares: &[Vec<f64>]) -> Result<Fit, Insufficient> {
     }
 }
 
-fn line_of(sizes: &[f64], sums: &[f64], replicates: f64) -> Result<Line, Insufficient> {
+/// The line through the means of costs and the roots of the means of squares.
+fn line_of(paid: &[f64], sums: &[f64], replicates: f64) -> Result<Line, Insufficient> {
     if sums.iter().any(|&sum| sum <= 0.0) {
         return Err(Insufficient::NoError);
     }
-    let points: Vec<(f64, f64)> = sizes
+    let points: Vec<(f64, f64)> = paid
         .iter()
         .zip(sums)
-        .map(|(&size, sum)| (size, (sum / replicates).sqrt()))
+        .map(|(paid, sum)| (paid / replicates, (sum / replicates).sqrt()))
         .collect();
     Line::through(&points).ok_or(Insufficient::Sizes)
 }

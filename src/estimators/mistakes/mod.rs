@@ -3,14 +3,18 @@
 //! Nearly all of them estimate what a white sky makes a surface reflect, where the right answer is the
 //! albedo. What they read instead is known exactly, so a reading names its mistake (see
 //! [`doctor`](super::doctor)); and the checks that accept the right estimator must reject each of
-//! these. Those of [`misled`] are walks that combine two techniques with wrong weights.
+//! these. Those of [`misled`] are walks that combine two techniques with wrong weights; [`Clamped`] cuts
+//! off what is bright.
 
+mod clamped;
 pub mod count_twice;
 pub mod flat_only;
 pub mod misled;
 mod readings;
 pub mod solid_only;
 pub mod variants;
+
+pub use clamped::Clamped;
 
 use crate::sampling::stream::{Numbers, Purpose, Stream};
 use crate::space::{Dimension, Flat, Solid, Space};

@@ -1,0 +1,313 @@
+//! `halfdisk cost`.
+
+mod page;
+mod text;
+
+use super::render::size;
+use super::{Stop, answer, use_threads};
+use crate::chart::{Against, ChartError, cost_chart};
+use crate::desk::{Bar, on_ctrl_c};
+use crate::experiment::cost::strip::{Shown, affordable, needed, show};
+use crate::experiment::cost::{
+    ALL, Design, Measured, Method, Nothing, PriceList, Verdict, measure,
+};
+use crate::output::{Display, Provenance, png_bytes};
+use crate::render::{Film, Progress};
+use crate::scene::{Scene, gallery};
+use clap::Args;
+use std::path::PathBuf;
+
+/// Measure what accuracy costs: error against seconds and rays for every method.
+///
+/// Every method renders the scene many times at several sizes, in turns, each picture with random
+/// numbers of its own. Slopes, ratios and times come with 95 % intervals, or with the word that what was
+/// measured does not suffice. Ctrl-C keeps what is complete.
+#[derive(Debug, Args)]
+#[command(after_help = AFTER_HELP)]
+pub struct Cost {
+    /// A scene of the gallery (see `halfdisk scenes`), or a path to a .toml file
+    scene: String,
+    /// Only these methods, such as kajiya,combine,path [default: all that can render the scene]
+    #[arg(long, value_delimiter = ',', value_name = "NAMES", value_parser = method)]
+    methods: Vec<Method>,
+    /// Independent pictures of each method at each size
+    #[arg(long, default_value_t = Design::default().replicates,
+        value_parser = clap::value_parser!(u32).range(1..=1000))]
+    replicates: u32,
+    /// Seconds for all of it, about
+    #[arg(long, default_value_t = 120.0, value_name = "SECONDS", value_parser = budget)]
+    budget: f64,
+    /// Image size in pixels for the measurement, such as 96x64 [default: the scene's shape, 64 pixels
+    /// at its longer side]
+    #[arg(long, value_name = "WxH", value_parser = size)]
+    size: Option<[u32; 2]>,
+    /// Seed of all random numbers
+    #[arg(long, default_value_t = Design::default().seed)]
+    seed: u64,
+    /// Threads for the pictures that are timed
+    #[arg(long, default_value_t = 1, value_parser = clap::value_parser!(u16).range(1..=1024))]
+    threads: u16,
+    /// Folder for the page, the charts and the numbers [default: out/cost/SCENE]
+    #[arg(long, value_name = "DIR")]
+    out: Option<PathBuf>,
+    /// Print JSON in place of the table
+    #[arg(long)]
+    json: bool,
+}
+
+const AFTER_HELP: &str = "\
+Examples:
+  halfdisk cost cornell
+      every method in two minutes, then open out/cost/cornell/index.html
+  halfdisk cost veach --methods kajiya,next-event,combine
+      chance, aim, and both
+  halfdisk cost mine.toml --budget 600 --size 128x128
+      a scene of your own, in ten minutes";
+
+/// The longer side of the pictures that are measured, where nobody says otherwise.
+const SIDE: u32 = 64;
+
+fn method(name: &str) -> Result<Method, String> {
+    Method::find(name.trim()).ok_or_else(|| {
+        let names: Vec<_> = ALL.iter().map(|m| m.name).collect();
+        format!("the methods are {}", names.join(", "))
+    })
+}
+
+fn budget(text: &str) -> Result<f64, String> {
+    match text.parse() {
+        Ok(seconds) if (1.0..=1e6).contains(&seconds) => Ok(seconds),
+        _ => Err("a time is a number of seconds from 1 to a million".to_owned()),
+    }
+}
+
+/// What a run leaves behind.
+struct Report {
+    list: PriceList,
+    /// Size that a picture of the scene has.
+    full: [u32; 2],
+    left_out: Vec<(&'static str, &'static str)>,
+    equal_time: Vec<Shown>,
+    equal_error: Vec<Shown>,
+    /// The error that the pictures of equal error should have.
+    error: f64,
+}
+
+impl Cost {
+    pub(super) fn run(self) -> Result<(), Stop> {
+        if cfg!(debug_assertions) {
+            eprintln!("note: built for development; `cargo run --release` is several times faster");
+        }
+        let mut full = [0; 2];
+        let scene = gallery::load_with(&self.scene, |said| {
+            full = said
+                .film
+                .size
+                .map(|n| n.clamp(1, i64::from(u32::MAX)) as u32);
+            said.film.size = self.size.unwrap_or_else(|| small(full)).map(i64::from);
+        })?;
+        let (methods, left_out) = self.methods(&scene)?;
+        use_threads(None)?;
+        let stop = on_ctrl_c();
+        let design = Design {
+            replicates: self.replicates,
+            threads: Some(usize::from(self.threads)),
+            seed: self.seed,
+            ..Design::default()
+        }
+        .within(self.budget, &methods);
+        let measured = measure(&scene, &methods, &design, &Bar::new(&scene.name, stop));
+        let measured = measured.map_err(|nothing| match nothing {
+            Nothing::Stopped => Stop::Interrupted,
+            Nothing::Threads(_) => Stop::Failure(nothing.to_string()),
+        })?;
+        let mut report = Report {
+            list: PriceList::new(&scene, &measured),
+            full,
+            left_out,
+            equal_time: Vec::new(),
+            equal_error: Vec::new(),
+            error: 0.0,
+        };
+        if !measured.interrupted {
+            let bar = Bar::new("pictures", stop);
+            self.strips(&scene, &measured, &design, &mut report, &bar)?;
+        }
+        let folder = self.write(&scene, &report)?;
+        let json = || serde_json::to_string_pretty(&report.list).map(|text| text + "\n");
+        answer(&if self.json {
+            json()?
+        } else {
+            text::table(&report)
+        })?;
+        eprintln!(
+            "open {} to see charts and pictures",
+            folder.join("index.html").display()
+        );
+        if measured.interrupted {
+            let (done, all) = (measured.replicates, self.replicates);
+            eprintln!("interrupted: {done} of {all} replicates were finished");
+            return Err(Stop::Interrupted);
+        }
+        Ok(())
+    }
+
+    /// The methods that were asked for and can render the scene, and why others cannot.
+    #[expect(
+        clippy::type_complexity,
+        reason = "a pair of lists, named where it is used"
+    )]
+    fn methods(
+        &self,
+        scene: &Scene,
+    ) -> Result<(Vec<Method>, Vec<(&'static str, &'static str)>), Stop> {
+        let wanted = match self.methods.as_slice() {
+            [] => ALL.to_vec(),
+            some => ALL.into_iter().filter(|m| some.contains(m)).collect(),
+        };
+        let cannot = |m: &Method| m.cannot(scene).map(|why| (m.name, why));
+        let left_out: Vec<_> = wanted.iter().filter_map(cannot).collect();
+        let methods: Vec<Method> = wanted
+            .into_iter()
+            .filter(|m| m.cannot(scene).is_none())
+            .collect();
+        match (methods.is_empty(), left_out.first()) {
+            (true, Some((name, why))) => {
+                Err(Stop::Input(format!("`{name}` cannot render this: {why}")))
+            }
+            _ => Ok((methods, left_out)),
+        }
+    }
+
+    /// A picture of each method in equal time, and one of equal error.
+    fn strips(
+        &self,
+        scene: &Scene,
+        measured: &Measured,
+        design: &Design,
+        report: &mut Report,
+        bar: &Bar,
+    ) -> Result<(), Stop> {
+        let seconds = match design.budget {
+            crate::experiment::cost::Budget::Seconds(seconds) => seconds,
+            crate::experiment::cost::Budget::Rays(_) => 1.0,
+        };
+        let pool = rayon::ThreadPoolBuilder::new()
+            .num_threads(usize::from(self.threads))
+            .build();
+        let pool =
+            pool.map_err(|e| Stop::Failure(format!("the threads cannot be started: {e}")))?;
+        // What the most expensive unbiased method reaches in that time, the others reach, too.
+        let unbiased = report
+            .list
+            .methods
+            .iter()
+            .filter(|m| m.verdict != Verdict::Biased);
+        report.error = unbiased
+            .filter_map(|m| m.sizes.last().map(|s| s.error))
+            .fold(0.0, f64::max);
+        let count = 2 * measured.methods.len() as u64;
+        for (i, (priced, runs)) in report
+            .list
+            .methods
+            .iter()
+            .zip(&measured.methods)
+            .enumerate()
+        {
+            let seed = !design.seed - 1 - i as u64;
+            let picture =
+                |spp| pool.install(|| show(scene, measured, &runs.method, spp, seed, bar));
+            // A quarter of the time: at more the eye sees no difference.
+            report
+                .equal_time
+                .extend(picture(affordable(priced, 0.25 * seconds)));
+            bar.tell(2 * i as u64 + 1, count);
+            report
+                .equal_error
+                .extend(needed(priced, runs, report.error).and_then(picture));
+            bar.tell(2 * i as u64 + 2, count);
+        }
+        Ok(())
+    }
+
+    /// Writes page, charts, pictures and numbers; returns their folder.
+    fn write(&self, scene: &Scene, report: &Report) -> Result<PathBuf, Stop> {
+        let folder = self.out.clone().unwrap_or_else(|| {
+            // A scene's name may hold anything; a folder's may not.
+            let safe = |c: char| c.is_alphanumeric() || "-_ ".contains(c);
+            PathBuf::from("out/cost").join(scene.name.replace(|c| !safe(c), "_"))
+        });
+        let mut files: Vec<(String, Vec<u8>)> = vec![
+            ("cost.csv".to_owned(), text::csv(&report.list).into_bytes()),
+            (
+                "cost.json".to_owned(),
+                serde_json::to_vec_pretty(&report.list)?,
+            ),
+        ];
+        let mut charts = Vec::new();
+        for (name, against) in [("seconds", Against::Seconds), ("rays", Against::Rays)] {
+            let title = format!("What accuracy costs: {}, against {name}", scene.name);
+            match cost_chart(title, &report.list, against).to_svg() {
+                Ok(svg) => {
+                    charts.push(format!("{name}.svg"));
+                    files.push((format!("{name}.svg"), svg.into_bytes()));
+                }
+                // Without any error there is no place on logarithmic axes.
+                Err(ChartError::Empty(_)) => eprintln!("note: no error anywhere, so no chart"),
+                Err(error) => return Err(Stop::Failure(error.to_string())),
+            }
+        }
+        for (kind, strip) in [("time", &report.equal_time), ("error", &report.equal_error)] {
+            for shown in strip {
+                let png = |film: &Film, display| {
+                    let facts = Provenance::new(
+                        scene,
+                        shown.name,
+                        scene.suggested.max_depth,
+                        u64::from(shown.spp),
+                        self.seed,
+                    );
+                    png_bytes(film, display, &facts)
+                };
+                files.push((
+                    format!("{kind}_{}.png", shown.name),
+                    png(&shown.film, Display::Radiance)?,
+                ));
+                let off = png(&shown.off, Display::Data { white: 1.0 })?;
+                files.push((format!("{kind}_off_{}.png", shown.name), off));
+            }
+        }
+        files.push((
+            "index.html".to_owned(),
+            page::html(report, &charts)?.into_bytes(),
+        ));
+        let failure = |path: &std::path::Path, e| Stop::Failure(format!("{}: {e}", path.display()));
+        std::fs::create_dir_all(&folder).map_err(|e| failure(&folder, e))?;
+        for (name, bytes) in files {
+            let path = folder.join(name);
+            std::fs::write(&path, bytes).map_err(|e| failure(&path, e))?;
+        }
+        Ok(folder)
+    }
+}
+
+/// The same shape with at most [`SIDE`] pixels to a side.
+fn small(full: [u32; 2]) -> [u32; 2] {
+    let longest = full[0].max(full[1]);
+    match longest > SIDE {
+        true => full.map(|n| (u64::from(n) * u64::from(SIDE) / u64::from(longest)).max(1) as u32),
+        false => full,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn small_pictures_keep_their_shape() {
+        assert_eq!(small([256, 192]), [64, 48]);
+        assert_eq!(small([16, 12]), [16, 12]);
+        assert_eq!(small([10_000, 1]), [64, 1]);
+    }
+}

@@ -1,0 +1,246 @@
+//! The price list: what was measured, as statements.
+
+use super::bias::Bias;
+use super::method::BASE;
+use super::runs::{Measured, Run, Runs};
+use super::target::{Reach, reach};
+use crate::scene::{RayCounts, Scene};
+use crate::stats::Estimate;
+use crate::stats::price::{Paid, Ratio, ratio};
+use crate::stats::slope::{Fit, Insufficient, fit_measured};
+use serde::Serialize;
+
+/// Relative errors whose price is stated.
+pub const TARGETS: [f64; 3] = [0.05, 0.02, 0.01];
+
+/// What accuracy costs in a scene.
+#[derive(Clone, Debug, Serialize)]
+pub struct PriceList {
+    /// Name of the scene.
+    pub scene: String,
+    /// The size that was measured, in pixels.
+    pub size: [u32; 2],
+    /// Replicates of each method.
+    pub replicates: u32,
+    /// True where it was stopped before the last of them.
+    pub interrupted: bool,
+    /// Samples per pixel of each half of the reference.
+    pub reference_spp: u32,
+    /// Relative error of the reference itself.
+    pub reference_error: f64,
+    /// The methods.
+    pub methods: Vec<Priced>,
+}
+
+/// What a method asks for accuracy.
+#[derive(Clone, Debug, Serialize)]
+pub struct Priced {
+    /// Its name.
+    pub name: &'static str,
+    /// How it finds light.
+    pub about: &'static str,
+    /// Rays of one sample.
+    pub rays_per_sample: PerSample,
+    /// Seconds of one sample of each pixel, on the threads that were timed.
+    pub seconds_per_spp: f64,
+    /// Error and cost at each size, the smallest first.
+    pub sizes: Vec<Size>,
+    /// The line of error against rays.
+    pub against_rays: Result<Fit, Insufficient>,
+    /// The line of error against seconds.
+    pub against_seconds: Result<Fit, Insufficient>,
+    /// What can be said about its error.
+    pub verdict: Verdict,
+    /// Why its answer may not be the truth.
+    pub may_be_biased: Option<&'static str>,
+    /// How far its expectation is from the truth; `None` below two replicates.
+    pub bias: Option<Bias>,
+    /// What each of [`TARGETS`] costs.
+    pub times: Vec<Reach>,
+    /// The time it needs for the same error, in times of that of each method in the list, by seconds;
+    /// `None` where either is biased.
+    pub ratios: Vec<Option<Ratio>>,
+    /// Samples that were no number, in all pictures.
+    pub non_finite: u64,
+}
+
+/// Rays of one sample, by what they were for.
+#[derive(Clone, Copy, Debug, Serialize)]
+pub struct PerSample {
+    /// From the camera: one.
+    pub camera: f64,
+    /// From surface to surface.
+    pub secondary: f64,
+    /// To lamps.
+    pub shadow: f64,
+}
+
+/// What pictures of one size give.
+#[derive(Clone, Copy, Debug, Serialize)]
+pub struct Size {
+    /// Samples per pixel.
+    pub spp: u32,
+    /// Mean rays of a picture.
+    pub rays: f64,
+    /// Median seconds of a picture.
+    pub seconds: f64,
+    /// Between the quartiles of the seconds.
+    pub spread: f64,
+    /// Root mean squared relative error, without bias; 0 where its square came out below zero.
+    pub error: f64,
+    /// Standard error of that.
+    pub error_error: f64,
+    /// The share of the squared error in the worst thousandth of the pixels.
+    pub top_share: f64,
+}
+
+/// What can be said about how the error of a method falls.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "lowercase")]
+pub enum Verdict {
+    /// Like one over the root of its rays: the interval of the slope is narrow and holds -1/2.
+    Sufficient,
+    /// Even points: faster than one over the root.
+    Faster,
+    /// It levels out: its expectation is not the truth.
+    Biased,
+    /// No statement.
+    Insufficient,
+}
+
+impl PriceList {
+    /// What was measured in `scene`, as a price list.
+    pub fn new(scene: &Scene, measured: &Measured) -> PriceList {
+        let mut methods: Vec<Priced> = measured
+            .methods
+            .iter()
+            .map(|m| priced(m, measured))
+            .collect();
+        for (i, a) in measured.methods.iter().enumerate() {
+            let ratios = measured.methods.iter().enumerate().map(|(j, b)| {
+                let biased = |k: usize| methods[k].verdict == Verdict::Biased;
+                let fair = i != j && !biased(i) && !biased(j);
+                fair.then(|| ratio(&largest(a), &largest(b))).flatten()
+            });
+            methods[i].ratios = ratios.collect();
+        }
+        PriceList {
+            scene: scene.name.clone(),
+            size: scene.size,
+            replicates: measured.replicates,
+            interrupted: measured.interrupted,
+            reference_spp: measured.reference.spp,
+            reference_error: measured.reference.error(),
+            methods,
+        }
+    }
+
+    /// The method of this name.
+    pub fn find(&self, name: &str) -> Option<&Priced> {
+        self.methods.iter().find(|m| m.name == name)
+    }
+
+    /// How many times the time of `path` a method needs for the same error.
+    pub fn against_base(&self, method: &Priced) -> Option<Ratio> {
+        let base = self.methods.iter().position(|m| m.name == BASE)?;
+        method.ratios.get(base).copied().flatten()
+    }
+}
+
+/// Squared error and seconds of the largest pictures.
+fn largest(runs: &Runs) -> Vec<Paid> {
+    let last = runs.runs.iter().filter_map(|row| row.last());
+    last.map(|run| [run.square, run.seconds]).collect()
+}
+
+fn priced(runs: &Runs, measured: &Measured) -> Priced {
+    let rows = |of: fn(&Run) -> f64| -> Vec<Vec<f64>> {
+        let row = |row: &Vec<Run>| row.iter().map(of).collect();
+        runs.runs.iter().map(row).collect()
+    };
+    let squares = rows(|run| run.square);
+    let against_rays = fit_measured(&rows(|run| run.rays.total() as f64), &squares);
+    let against_seconds = fit_measured(&rows(|run| run.seconds), &squares);
+    let bias = runs.sums.bias(measured.truth(&runs.method));
+    let sizes: Vec<Size> = (0..runs.spp.len()).map(|k| size(runs, k)).collect();
+    let verdict = verdict(&against_rays, bias, runs.method.is_independent());
+    let mut rays = RayCounts::default();
+    runs.runs.iter().flatten().for_each(|run| rays += run.rays);
+    let camera = rays.camera.max(1) as f64;
+    Priced {
+        name: runs.method.name,
+        about: runs.method.about,
+        rays_per_sample: PerSample {
+            camera: 1.0,
+            secondary: rays.secondary as f64 / camera,
+            shadow: rays.shadow as f64 / camera,
+        },
+        seconds_per_spp: sizes.last().map_or(0.0, |s| s.seconds / f64::from(s.spp)),
+        times: TARGETS
+            .iter()
+            .map(|&target| reach(target, &sizes, &largest(runs), verdict, bias))
+            .collect(),
+        sizes,
+        against_rays,
+        against_seconds,
+        verdict,
+        may_be_biased: runs.method.may_be_biased,
+        bias,
+        ratios: Vec::new(),
+        non_finite: runs.runs.iter().flatten().map(|run| run.non_finite).sum(),
+    }
+}
+
+fn size(runs: &Runs, k: usize) -> Size {
+    let of = |f: fn(&Run) -> f64| runs.runs.iter().map(move |row| f(&row[k]));
+    let square: Estimate = of(|run| run.square).collect();
+    let error = square.mean().max(0.0).sqrt();
+    let mut seconds: Vec<f64> = of(|run| run.seconds).collect();
+    seconds.sort_by(f64::total_cmp);
+    let at = |share: f64| seconds[(share * (seconds.len() - 1) as f64).round() as usize];
+    Size {
+        spp: runs.spp[k],
+        rays: of(|run| run.rays.total() as f64)
+            .collect::<Estimate>()
+            .mean(),
+        seconds: at(0.5),
+        spread: at(0.75) - at(0.25),
+        error,
+        // The square root's error to first order.
+        error_error: if error > 0.0 {
+            square.std_error() / (2.0 * error)
+        } else {
+            0.0
+        },
+        top_share: of(|run| run.top_share).collect::<Estimate>().mean(),
+    }
+}
+
+/// What a line and a bias allow to say.
+fn verdict(fit: &Result<Fit, Insufficient>, bias: Option<Bias>, independent: bool) -> Verdict {
+    if bias.is_some_and(|bias| bias.is_certain()) {
+        return Verdict::Biased;
+    }
+    match fit {
+        Ok(fit) if fit.agrees_with(-0.5) && independent => Verdict::Sufficient,
+        Ok(fit) if !independent && fit.line.slope - fit.half_width <= -0.5 => Verdict::Faster,
+        _ => Verdict::Insufficient,
+    }
+}
+
+impl Priced {
+    /// The verdict with its numbers, in a few words.
+    pub fn says(&self) -> String {
+        match (self.verdict, &self.against_rays) {
+            (Verdict::Biased, _) => {
+                let floor = self.bias.map_or(0.0, |bias| 100.0 * bias.floor());
+                let why = self.may_be_biased.unwrap_or("and no reason is known");
+                format!("biased: levels out at {floor:.2} %; {why}")
+            }
+            (Verdict::Sufficient, Ok(fit)) => format!("{fit}, sufficient"),
+            (Verdict::Faster, Ok(fit)) => format!("{fit}, as even points do"),
+            (_, Ok(fit)) => format!("insufficient: {fit} does not hold -1/2"),
+            (_, Err(why)) => format!("insufficient: {why}"),
+        }
+    }
+}

@@ -1,0 +1,162 @@
+//! The methods whose prices are compared: integrators, points, and a mistake.
+
+use crate::estimators::mistakes::Clamped;
+use crate::integrators::{Named, Path};
+use crate::lights::Light;
+use crate::render::{Options, Progress, Rendered, render};
+use crate::sampling::stream::Sampler;
+use crate::scene::Scene;
+
+/// A way to make a picture.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Method {
+    /// Its name.
+    pub name: &'static str,
+    /// How it finds light, in a few words.
+    pub about: &'static str,
+    /// What computes a sample.
+    pub integrator: Named,
+    /// Where samples are cut off, if they are.
+    pub clamp: Option<f32>,
+    /// How the samples of a pixel lie to each other.
+    pub sampler: Sampler,
+    /// Why its answer may not be the truth, however many samples it takes.
+    pub may_be_biased: Option<&'static str>,
+}
+
+/// The longest path where none is set: in 10 000 segments any light has found its end.
+const ENDLESS: u32 = 10_000;
+
+/// Where `clamped` cuts: at the white of a screen.
+pub const CLAMP: f32 = 1.0;
+
+/// The name of the method that others are compared with.
+pub const BASE: &str = "path";
+
+const fn plain(integrator: Named, name: &'static str, about: &'static str) -> Method {
+    Method {
+        name,
+        about,
+        integrator,
+        clamp: None,
+        sampler: Sampler::Independent,
+        may_be_biased: None,
+    }
+}
+
+/// All methods, in the order of the ladder.
+pub const ALL: [Method; 9] = [
+    Method {
+        may_be_biased: Some("it leaves out the light between diffuse surfaces"),
+        ..plain(
+            Named::Whitted,
+            "whitted",
+            "a tree of specular rays, and a shadow ray to each lamp",
+        )
+    },
+    plain(
+        Named::Kajiya,
+        "kajiya",
+        "a random walk that finds lamps by chance",
+    ),
+    plain(
+        Named::Roulette,
+        "roulette",
+        "the same without a longest path: it ends by chance",
+    ),
+    plain(
+        Named::NextEvent,
+        "next-event",
+        "the walk, and a shadow ray to each lamp",
+    ),
+    plain(
+        Named::WhichRay,
+        "which-ray",
+        "the same, the kind of the next ray chosen by the shares",
+    ),
+    plain(Named::Combine, "combine", "lamps found both ways, weighted"),
+    plain(Named::Path, BASE, "all of it: one lamp, weighted, roulette"),
+    Method {
+        sampler: Sampler::Sobol,
+        ..plain(
+            Named::Path,
+            "path-sobol",
+            "the same with points that lie evenly",
+        )
+    },
+    Method {
+        clamp: Some(CLAMP),
+        may_be_biased: Some("it cuts off what is brighter than 1 in each sample"),
+        ..plain(
+            Named::Path,
+            "clamped",
+            "a mistake: path, with bright samples cut off",
+        )
+    },
+];
+
+impl Method {
+    /// The method of this name.
+    pub fn find(name: &str) -> Option<Method> {
+        ALL.into_iter().find(|method| method.name == name)
+    }
+
+    /// Why it cannot render `scene`; `None` where it can.
+    pub fn cannot(&self, scene: &Scene) -> Option<&'static str> {
+        let by_chance = matches!(self.integrator, Named::Kajiya | Named::Roulette);
+        let without_extent =
+            |light: &Light| matches!(light, Light::Point(_) | Light::Directional(_));
+        (by_chance && scene.lights.iter().any(without_extent))
+            .then_some("no walk meets a light without extent by chance")
+    }
+
+    /// True where paths of any length count, so that the truth is another one than where the scene's
+    /// longest path ends them.
+    pub fn is_endless(&self) -> bool {
+        self.integrator == Named::Roulette
+    }
+
+    /// True where its samples are independent, so that its error falls as one over the root of their
+    /// number.
+    pub fn is_independent(&self) -> bool {
+        self.sampler == Sampler::Independent
+    }
+
+    /// A picture of `scene`, on the threads of the current pool.
+    pub fn render(&self, scene: &Scene, spp: u32, seed: u64, progress: &impl Progress) -> Rendered {
+        let options = Options {
+            spp,
+            seed,
+            sampler: self.sampler,
+            ..Options::default()
+        };
+        let inner = self.integrator.with(scene.suggested.max_depth);
+        match self.clamp {
+            Some(limit) => render(scene, &Clamped { inner, limit }, &options, progress),
+            None => render(scene, &inner, &options, progress),
+        }
+    }
+}
+
+/// A picture whose expectation is the truth: for methods that end their paths with the scene's
+/// longest, or for `endless` ones.
+pub(super) fn reference(
+    scene: &Scene,
+    endless: bool,
+    spp: u32,
+    seed: u64,
+    progress: &impl Progress,
+) -> Rendered {
+    let max_depth = if endless {
+        ENDLESS
+    } else {
+        scene.suggested.max_depth
+    };
+    let options = Options {
+        spp,
+        seed,
+        sampler: Sampler::Sobol,
+        ..Options::default()
+    };
+    render(scene, &Path::new(max_depth), &options, progress)
+}

@@ -1,0 +1,33 @@
+//! What accuracy costs: error against rays and seconds, for every way to make a picture.
+//!
+//! * [`method`](Method): the integrators, even points, and a mistake;
+//! * [`plan`](Design): how many samples each takes;
+//! * [`runs`](measure): independent pictures, in turns;
+//! * [`reference`](Reference): the truth, whose own noise counts for nobody;
+//! * [`bias`](Bias): the error that stays;
+//! * [`strip`]: pictures side by side;
+//! * [`list`](PriceList), [`target`](Reach): slopes, ratios and times, with intervals or a word that
+//!   there is none.
+//!
+//! Errors are relative: the root of the mean over pixels and channels of `(x - t)² / (t² + 0.01)`.
+//!
+//! Sources: Celarek, Jakob, Wimmer, Lehtinen, Quantifying the Error of Light Transport Algorithms
+//! (Computer Graphics Forum 38(4), 2019), for many short renders; Whittle, Jones, Mantiuk, Analysis of
+//! Reported Error in Monte Carlo Rendered Images (The Visual Computer 33, 2017), for references.
+
+mod bias;
+mod list;
+mod method;
+mod plan;
+mod reference;
+mod runs;
+pub mod strip;
+mod target;
+
+pub use bias::Bias;
+pub use list::{PerSample, PriceList, Priced, Size, TARGETS, Verdict};
+pub use method::{ALL, BASE, CLAMP, Method};
+pub use plan::{Budget, Design, Planned};
+pub use reference::Reference;
+pub use runs::{Measured, Nothing, Run, Runs, measure};
+pub use target::Reach;

@@ -1,0 +1,323 @@
+//! The pictures: every method at every size, many times, in turns.
+
+use super::bias::Sums;
+use super::method::{self, BASE, Method};
+use super::plan::{Design, Planned, plan};
+use super::reference::Reference;
+use crate::render::{Progress, Rendered};
+use crate::scene::{RayCounts, Scene};
+use std::sync::Mutex;
+
+/// What one picture cost, and how wrong it is.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Run {
+    /// Mean squared relative error, without bias.
+    pub square: f64,
+    /// The share of it in the worst thousandth of the pixels.
+    pub top_share: f64,
+    /// Seconds of the pixel loop.
+    pub seconds: f64,
+    /// Rays.
+    pub rays: RayCounts,
+    /// Samples that were no number.
+    pub non_finite: u64,
+}
+
+/// All pictures of a method.
+#[derive(Clone, Debug)]
+pub struct Runs {
+    /// The method.
+    pub method: Method,
+    /// Samples per pixel at each size, the smallest first.
+    pub spp: Vec<u32>,
+    /// `runs[r][k]`: replicate `r` at size `k`.
+    pub runs: Vec<Vec<Run>>,
+    /// What the pictures of the largest size add up to.
+    pub(super) sums: Sums,
+}
+
+/// Everything that was measured.
+#[derive(Clone, Debug)]
+pub struct Measured {
+    /// The truth for methods that end their paths with the scene's longest.
+    pub reference: Reference,
+    /// The truth for paths of any length, where a method needs it.
+    pub endless: Option<Reference>,
+    /// The methods.
+    pub methods: Vec<Runs>,
+    /// Replicates of every method that were finished.
+    pub replicates: u32,
+    /// True where it was stopped before the last.
+    pub interrupted: bool,
+}
+
+impl Measured {
+    /// The truth for this method.
+    pub fn truth(&self, method: &Method) -> &Reference {
+        match &self.endless {
+            Some(endless) if method.is_endless() => endless,
+            _ => &self.reference,
+        }
+    }
+}
+
+/// Why nothing was measured.
+#[derive(Debug, thiserror::Error)]
+pub enum Nothing {
+    /// Asked to stop before the first replicate was finished.
+    #[error("stopped before anything was measured")]
+    Stopped,
+    /// Threads could not be started.
+    #[error("the threads cannot be started: {0}")]
+    Threads(#[from] rayon::ThreadPoolBuildError),
+}
+
+/// Measures what `methods` pay for which error in `scene`.
+///
+/// Within a replicate methods take turns at each size, and from one to the next their order is
+/// reversed and shifted, so that what else a machine does is shared fairly. All pictures have random
+/// numbers of their own. Asked to stop, it keeps the replicates that are complete.
+pub fn measure(
+    scene: &Scene,
+    methods: &[Method],
+    design: &Design,
+    progress: &impl Progress,
+) -> Result<Measured, Nothing> {
+    let timed = rayon::ThreadPoolBuilder::new()
+        .num_threads(design.threads.unwrap_or_else(rayon::current_num_threads))
+        .build()?;
+    let quiet = Quiet(progress);
+    let planned: Vec<Planned> = timed
+        .install(|| {
+            methods
+                .iter()
+                .map(|m| plan(scene, *m, design, &quiet))
+                .collect::<Option<_>>()
+        })
+        .ok_or(Nothing::Stopped)?;
+    let watch = Watch::new(progress, &planned, design, rayon::current_num_threads());
+    let of = |endless| truth(scene, endless, &planned, design, &watch);
+    let reference = of(false)?;
+    let endless = match methods.iter().any(Method::is_endless) {
+        true => Some(of(true)?),
+        false => None,
+    };
+    let mut measured = Measured {
+        methods: planned
+            .into_iter()
+            .map(|p| Runs::none(p, &reference))
+            .collect(),
+        reference,
+        endless,
+        replicates: 0,
+        interrupted: false,
+    };
+    for r in 0..design.replicates {
+        let Some(row) = timed.install(|| replicate(scene, &measured, design, r, &watch)) else {
+            measured.interrupted = true;
+            break;
+        };
+        for (runs, own) in measured.methods.iter_mut().zip(row) {
+            runs.add(own);
+        }
+        measured.replicates += 1;
+    }
+    match measured.replicates {
+        0 => Err(Nothing::Stopped),
+        _ => Ok(measured),
+    }
+}
+
+/// One picture of a replicate: its numbers, and for the largest size its pixels.
+type Pictures = Vec<(Run, Option<(Vec<[f64; 3]>, Vec<f64>)>)>;
+
+/// Every method at every size, once; `None` where it was asked to stop.
+fn replicate(
+    scene: &Scene,
+    measured: &Measured,
+    design: &Design,
+    r: u32,
+    watch: &Watch<impl Progress>,
+) -> Option<Vec<Pictures>> {
+    let count = measured.methods.len();
+    let mut rows: Vec<Pictures> = vec![Vec::new(); count];
+    for k in 0..design.sizes as usize {
+        for m in order(r, count) {
+            let Runs { method, spp, .. } = &measured.methods[m];
+            let Some(&samples) = spp.get(k) else { continue };
+            let seed = seed_of(design.seed, r, k, m);
+            let rendered = method.render(scene, samples, seed, watch);
+            if rendered.interrupted {
+                return None;
+            }
+            let squares = measured.truth(method).squares(&rendered.film);
+            let run = run_of(&rendered, &squares);
+            let largest = k + 1 == spp.len();
+            let pixels = largest.then(|| (rendered.film.picture().values, squares));
+            rows[m].push((run, pixels));
+            watch.paid(f64::from(samples) / f64::from(spp[spp.len() - 1]));
+        }
+    }
+    Some(rows)
+}
+
+/// Forwards, backwards, and a place further on every second time.
+fn order(r: u32, count: usize) -> Vec<usize> {
+    let shift = r as usize / 2;
+    let mut order: Vec<usize> = (0..count).map(|i| (i + shift) % count).collect();
+    if r % 2 == 1 {
+        order.reverse();
+    }
+    order
+}
+
+fn run_of(rendered: &Rendered, squares: &[f64]) -> Run {
+    let mut sorted = squares.to_vec();
+    sorted.sort_by(|a, b| b.total_cmp(a));
+    let total: f64 = sorted.iter().sum();
+    let top: f64 = sorted[..sorted.len().div_ceil(1000)].iter().sum();
+    Run {
+        square: total / squares.len() as f64,
+        top_share: if total > 0.0 { top / total } else { 0.0 },
+        seconds: rendered.time.as_secs_f64(),
+        rays: rendered.rays,
+        non_finite: rendered.non_finite,
+    }
+}
+
+impl Runs {
+    fn none(planned: Planned, reference: &Reference) -> Runs {
+        Runs {
+            method: planned.method,
+            spp: planned.spp,
+            runs: Vec::new(),
+            sums: Sums::none(reference.picture.values.len()),
+        }
+    }
+
+    fn add(&mut self, pictures: Pictures) {
+        let mut row = Vec::with_capacity(pictures.len());
+        for (run, pixels) in pictures {
+            row.push(run);
+            if let Some((values, squares)) = pixels {
+                self.sums.add(&values, &squares);
+            }
+        }
+        self.runs.push(row);
+    }
+}
+
+/// Both halves of a reference.
+fn truth(
+    scene: &Scene,
+    endless: bool,
+    planned: &[Planned],
+    design: &Design,
+    watch: &Watch<impl Progress>,
+) -> Result<Reference, Nothing> {
+    let base = planned
+        .iter()
+        .find(|p| p.method.name == BASE)
+        .or(planned.first());
+    let largest = base.and_then(|p| p.spp.last()).copied().unwrap_or(1);
+    let spp = largest.saturating_mul(design.reference).min(1 << 20);
+    let half = |number: usize| {
+        let seed = seed_of(design.seed, u32::MAX, usize::from(endless), number);
+        let rendered = method::reference(scene, endless, spp, seed, watch);
+        watch.paid(f64::from(design.reference) / watch.threads);
+        (!rendered.interrupted)
+            .then_some(rendered.film)
+            .ok_or(Nothing::Stopped)
+    };
+    Ok(Reference::new(&half(0)?, &half(1)?, spp))
+}
+
+/// A seed that no other picture has.
+fn seed_of(seed: u64, replicate: u32, size: usize, method: usize) -> u64 {
+    let picture = (method as u64) << 40 | (size as u64) << 32 | u64::from(replicate);
+    // An odd factor is a bijection; neighbouring seeds of a design stay far apart.
+    seed.wrapping_mul(0x9e37_79b9_7f4a_7c15)
+        .wrapping_add(picture)
+}
+
+/// Tells how much of everything is paid, in thousandths of a method's largest picture.
+struct Watch<'a, P> {
+    progress: &'a P,
+    threads: f64,
+    total: f64,
+    paid: Mutex<f64>,
+}
+
+impl<'a, P: Progress> Watch<'a, P> {
+    fn new(progress: &'a P, planned: &[Planned], design: &Design, threads: usize) -> Self {
+        let sum = |p: &Planned| {
+            let largest = p.spp.last().copied().unwrap_or(1);
+            p.spp
+                .iter()
+                .map(|&n| f64::from(n) / f64::from(largest))
+                .sum::<f64>()
+        };
+        let endless = planned.iter().any(|p| p.method.is_endless());
+        let halves = 2.0 * (1.0 + f64::from(u8::from(endless)));
+        let pictures: f64 = planned.iter().map(sum).sum();
+        Watch {
+            progress,
+            threads: threads as f64,
+            total: halves * f64::from(design.reference) / threads as f64
+                + f64::from(design.replicates) * pictures,
+            paid: Mutex::new(0.0),
+        }
+    }
+
+    fn paid(&self, part: f64) {
+        let Ok(mut paid) = self.paid.lock() else {
+            return;
+        };
+        *paid += part;
+        self.progress
+            .tell((1000.0 * *paid) as u64, (1000.0 * self.total) as u64);
+    }
+}
+
+/// A picture of many asks whether to stop, and tells nothing of itself.
+impl<P: Progress> Progress for Watch<'_, P> {
+    fn tell(&self, _: u64, _: u64) {}
+    fn stop(&self) -> bool {
+        self.progress.stop()
+    }
+}
+
+/// The same before there is a plan.
+struct Quiet<'a, P>(&'a P);
+
+impl<P: Progress> Progress for Quiet<'_, P> {
+    fn tell(&self, _: u64, _: u64) {}
+    fn stop(&self) -> bool {
+        self.0.stop()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn methods_take_turns() {
+        assert_eq!(order(0, 3), [0, 1, 2]);
+        assert_eq!(order(1, 3), [2, 1, 0]);
+        assert_eq!(order(2, 3), [1, 2, 0]);
+        assert_eq!(order(3, 3), [0, 2, 1]);
+    }
+
+    #[test]
+    fn no_two_pictures_share_a_seed() {
+        let mut seen = std::collections::BTreeSet::new();
+        for r in (0..20).chain([u32::MAX]) {
+            for k in 0..6 {
+                for m in 0..9 {
+                    assert!(seen.insert(seed_of(1, r, k, m)));
+                }
+            }
+        }
+    }
+}
