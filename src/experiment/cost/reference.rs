@@ -78,7 +78,7 @@ mod tests {
         let pixel = |i| {
             let mut u = Stream::new(seed, i, 0).at(0, Purpose::Pixel);
             let e: Estimate = (0..spp).map(|_| f64::from(u.one())).collect();
-            Pixel { channels: [e; 3] }
+            Pixel { channels: [e; 3], ..Pixel::default() }
         };
         Film::new(64, (0..4096).map(pixel).collect())
     }

@@ -86,6 +86,7 @@ pub fn signed(film: &Film, truth: &[[f64; 3]]) -> Film {
         };
         Pixel {
             channels: channels.map(|c| std::iter::once(c).collect()),
+            ..Pixel::default()
         }
     };
     let pixels = film.pixels().iter().zip(truth).map(colour).collect();
@@ -100,6 +101,7 @@ mod tests {
     fn too_bright_is_red_and_too_dark_is_blue() {
         let grey = |x: f64| Pixel {
             channels: [std::iter::once(x).collect(); 3],
+            ..Pixel::default()
         };
         let film = Film::new(3, vec![grey(1.0), grey(1.25), grey(0.1)]);
         let map = signed(&film, &[[1.0; 3]; 3]);
