@@ -23,6 +23,7 @@ mod path;
 mod peers;
 mod six_integrals;
 mod table;
+mod target;
 mod tidy;
 mod truth;
 mod twins;

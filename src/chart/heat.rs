@@ -121,9 +121,10 @@ fn draw_scale(page: &Page<'_>, map: Area, scale: &Scale, label: &str) -> Result<
     let words = Letters::new(NORMAL).anchored(HPos::Left, VPos::Top);
     words.write(page, (map.right() + px(16), map.top), label)?;
     for step in 0..STEPS {
-        let [low, high] = [step, step + 1].map(|s| f64::from(s) / f64::from(STEPS));
-        let [r, g, b] = colour(0.5 * (low + high));
-        let corners = [column.pixel(0.0, low), column.pixel(1.0, high)];
+        // Each reaches to the top, so that no seam shows between it and the next.
+        let low = f64::from(step) / f64::from(STEPS);
+        let [r, g, b] = colour(low + 0.5 / f64::from(STEPS));
+        let corners = [column.pixel(0.0, low), column.pixel(1.0, 1.0)];
         page.draw(&Rectangle::new(corners, RGBColor(r, g, b).filled()))?;
     }
     Pen::solid(INK, 1).trace(page, column.outline())?;

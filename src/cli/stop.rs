@@ -112,11 +112,8 @@ pub(super) fn report(outcome: &Outcome, goal: &Goal, sampler: Sampler) -> String
         };
     }
     if outcome.extensions > 0 {
-        text += &format!(
-            ", after going on {} times because the error was above it: that makes a picture darker on \
-             average, by a small share of its error",
-            outcome.extensions
-        );
+        let times = outcome.extensions;
+        text += &format!("; it went on {times} times because the error was above the target");
     }
     text + "\n"
 }

@@ -1,16 +1,17 @@
 //! A render that ends when the picture is good enough, or when time is up: how many samples that will
 //! take is found out first, by a pilot.
 //!
-//! A rule that watches a render's own error and stops when it looks small stops too early where bright
-//! events have not come yet, so its pictures are too dark. Here the number of samples follows from a
-//! pilot with random numbers of its own, and the mean of the picture stays unbiased, after Stein, A
-//! Two-Sample Test for a Linear Hypothesis Whose Power is Independent of the Variance (Annals of
-//! Mathematical Statistics 16(3), 1945).
+//! A rule that watches a render's own error and stops when it looks small stops at lucky moments: its
+//! pictures are biased. Here the number of samples follows from a pilot with random numbers of its own,
+//! so that the picture stays unbiased, after Stein, A Two-Sample Test for a Linear Hypothesis Whose
+//! Power is Independent of the Variance (Annals of Mathematical Statistics 16(3), 1945).
 //!
-//! Only where the error turns out clearly above its target is the render taken further. What is rare and
-//! bright makes both a picture and its error large, so that such a picture is the one that gets more
-//! samples: a bias again, towards the dark, of second order and much smaller than that of the rule
-//! above; `tests/target.rs` measures both.
+//! Only where the error turns out above its target by more than a twentieth is the render taken
+//! further, by as many samples as that asks for. The unlucky pictures get more samples than the lucky
+//! ones, which is a bias again. Both biases are of the order of the squared relative error of the whole
+//! picture's mean: in `tests/target.rs`, of nine pixels at an error of 50 %, the mean is 3 % off by the
+//! first rule, 2 % with such extensions, and not at all by the pilot alone; of ten thousand pixels at
+//! 2 %, that would be less than a millionth.
 
 use super::accuracy::{Accuracy, Measure};
 use super::{Options, Progress, Rendered, Session};
@@ -22,6 +23,7 @@ use std::time::{Duration, Instant};
 
 mod pilot;
 mod words;
+mod worth;
 
 pub use pilot::{Pilot, Prediction, pilot_seed, predict};
 pub use words::{percent, seconds};

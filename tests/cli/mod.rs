@@ -6,6 +6,7 @@ mod commands;
 mod converge;
 mod doctor;
 pub mod meshes;
+mod target;
 
 use std::path::Path;
 use std::process::{Command, Output};

@@ -1,5 +1,6 @@
 //! A short render with random numbers of its own that tells what a long one will take.
 
+use super::worth::Worth;
 use super::{Goal, MOST_SAMPLES, StoppedBy};
 use crate::integrators::Integrator;
 use crate::render::accuracy::Accuracy;
@@ -39,10 +40,12 @@ pub struct Prediction {
 
 /// A pilot's first look; it doubles from there.
 const FIRST: u32 = 32;
-/// No pilot ends before this many samples, unless the render is no longer than that.
-const LEAST: u32 = 2 * EVEN_SAMPLES;
+/// No pilot ends before this many samples, unless that is a large share of the render's.
+const LEAST: u32 = EVEN_SAMPLES;
 /// A pilot that takes this share of the render's samples has seen enough.
 const LARGEST_SHARE: f64 = 0.25;
+/// One that takes this share has in any case.
+const LARGE: f64 = 0.5;
 /// One that has taken this share may end where its prediction is steady.
 const SMALLEST_SHARE: f64 = 1.0 / 16.0;
 /// Steady is a prediction that the last doubling changed by less, relatively ...
@@ -100,7 +103,7 @@ pub fn predict(
         });
         let seen = share >= LARGEST_SHARE && spp >= LEAST;
         let enough = share >= SMALLEST_SHARE && steady && look.seconds >= SECONDS;
-        if seen || share >= 1.0 || spp >= LEAST && enough || late {
+        if seen || share >= LARGE || spp >= LEAST && enough || late {
             return Ok(prediction);
         }
         before = need;
@@ -109,22 +112,13 @@ pub fn predict(
 }
 
 /// What follows from the looks so far, `elapsed` seconds after the start.
-///
-/// Even samples are worth more in long runs than in short ones, so a short render is predicted from
-/// the looks at the pilot when it was as short.
 fn predicted(looks: &[Pilot], options: &Options, goal: &Goal, elapsed: f64) -> Prediction {
     let last = looks[looks.len() - 1];
     let per_sample = last.seconds / f64::from(last.spp);
-    // The squared error of a render of as many samples as a look, times its samples.
-    let worth = |look: &Pilot| f64::from(look.spp) * look.error * look.error;
-    let worth_of = |spp: f64| {
-        let as_long = looks.iter().rev().find(|look| f64::from(look.spp) <= spp);
-        worth(as_long.unwrap_or(&looks[0]))
-    };
+    let worth = Worth::new(looks, options.sampler);
     let most = f64::from(MOST_SAMPLES);
     let for_error = goal.error.map_or(most, |target| {
-        let about = worth(&last) / (target * target);
-        round_up(worth_of(about) / (target * target), options.sampler).into()
+        round_up(worth.samples(target * target), options.sampler).into()
     });
     let for_time = goal.time.map_or(most, |time| {
         ((time.as_secs_f64() - elapsed) / per_sample)
@@ -140,7 +134,7 @@ fn predicted(looks: &[Pilot], options: &Options, goal: &Goal, elapsed: f64) -> P
         pilot: last,
         spp: spp as u32,
         seconds: spp * per_sample,
-        error: (worth_of(spp) / spp).sqrt(),
+        error: worth.square(spp).sqrt(),
         limited_by,
     }
 }
