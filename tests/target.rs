@@ -269,6 +269,13 @@ fn a_target_is_met_and_its_samples_are_told_before() {
         if outcome.extensions == 0 {
             assert_eq!(outcome.spp, said.spp);
         }
+        let again = predict(&scene, &path, &options(1, 4, sampler), &goal, &());
+        let again = again.expect("nobody interrupts");
+        assert_eq!(
+            (again.spp, again.error),
+            (said.spp, said.error),
+            "no clock in it"
+        );
         // The same picture by its number of samples; the pilot's samples are not in it.
         let same = render(&scene, &path, &options(outcome.spp, 4, sampler), &());
         assert_eq!(same.film, outcome.rendered.film);

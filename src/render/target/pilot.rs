@@ -40,20 +40,18 @@ pub struct Prediction {
 
 /// A pilot's first look; it doubles from there.
 const FIRST: u32 = 32;
-/// No pilot ends before this many samples, unless that is a large share of the render's.
-const LEAST: u32 = EVEN_SAMPLES;
-/// A pilot that takes this share of the render's samples has seen enough.
-const LARGEST_SHARE: f64 = 0.25;
-/// One that takes this share has in any case.
+/// A pilot that takes this share of the render's samples has seen enough ...
 const LARGE: f64 = 0.5;
-/// One that has taken this share may end where its prediction is steady.
+/// ... and one of this many samples where it takes this share.
+const LEAST: u32 = EVEN_SAMPLES;
+const LARGEST_SHARE: f64 = 0.25;
+/// One of twice as many, which has seen two runs of full length, may end at this share where its
+/// prediction is steady.
 const SMALLEST_SHARE: f64 = 1.0 / 16.0;
 /// Steady is a prediction that the last doubling changed by less, relatively ...
 const STEADY: f64 = 0.1;
 /// ... of an error whose own relative error is less.
 const SURE: f64 = 0.02;
-/// Seconds below which nothing is steady: clocks and caches are not.
-const SECONDS: f64 = 0.25;
 /// The share of the time there is that a pilot may take.
 const TIME_SHARE: f64 = 0.1;
 
@@ -63,7 +61,7 @@ pub fn pilot_seed(seed: u64) -> u64 {
 }
 
 /// Runs a pilot until it can say what a render to the goal will take; the pilot's picture where it is
-/// interrupted.
+/// interrupted. Without a limit of time, the clock has no say in the number of samples.
 pub fn predict(
     scene: &Scene,
     integrator: &dyn Integrator,
@@ -101,9 +99,9 @@ pub fn predict(
         let late = goal.time.is_some_and(|time| {
             2.0 * start.elapsed().as_secs_f64() > TIME_SHARE * time.as_secs_f64()
         });
-        let seen = share >= LARGEST_SHARE && spp >= LEAST;
-        let enough = share >= SMALLEST_SHARE && steady && look.seconds >= SECONDS;
-        if seen || share >= LARGE || spp >= LEAST && enough || late {
+        let long = share >= LARGE || spp >= LEAST && share >= LARGEST_SHARE;
+        let sure = steady && spp >= 2 * LEAST;
+        if long || sure && share >= SMALLEST_SHARE || late {
             return Ok(prediction);
         }
         before = need;
