@@ -3,9 +3,11 @@
 //! * [`convergence`]: how an estimator's error falls with its samples;
 //! * [`cost`]: what accuracy costs, for every way to make a picture;
 //! * [`named`]: the estimators one can ask for by name;
-//! * [`price`]: what the same error costs two ways.
+//! * [`price`]: what the same error costs two ways;
+//! * [`stopwatch`]: how long one thing takes for the time of another.
 
 pub mod convergence;
 pub mod cost;
 pub mod named;
 pub mod price;
+pub mod stopwatch;

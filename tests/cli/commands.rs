@@ -116,7 +116,12 @@ fn json_is_all_there_is_on_stdout() {
             "rays",
             "rays_per_second",
             "mean",
+            "hidden_lamps",
+            "coarse_shapes",
             "non_finite",
+            "faults",
+            "largest_sample",
+            "too_bright_pixels",
             "first_non_finite",
             "interrupted",
             "out",
@@ -314,4 +319,32 @@ mod unix {
         assert!(object["out"].as_str().unwrap().starts_with("caf"));
         assert!(folder.path().join(name).exists());
     }
+}
+
+#[test]
+fn what_is_too_small_or_hidden_is_said() {
+    let folder = folder();
+    let text = "name = 'far'\ncamera = { from = [0, 0, 0], to = [0, 0, 1], fov = 40 }\n\
+                film.size = [4, 4]\nmaterials.half.lambert.albedo = 0.5\n\
+                [[objects]]\nmaterial = 'half'\nsphere = { center = [1e6, 0, 9], radius = 0.1 }\n\
+                [[objects]]\nemits = 1\nsphere = { center = [0, 0, 9], radius = 1 }\n\
+                [[objects]]\nemits = 1\nsphere = { center = [0, 0, 9], radius = 1 }\n";
+    std::fs::write(folder.path().join("far.toml"), text).unwrap();
+    let said = |scene: &str| {
+        let output = halfdisk(
+            folder.path(),
+            &["render", scene, "--spp", "1", "--size", "4x4"],
+        );
+        assert!(output.status.success());
+        complaint(&output)
+    };
+    let far = said("far.toml");
+    assert!(far.contains("warning: 1 shapes are so small"), "{far}");
+    assert!(far.contains("up to 0.0625 apart"), "{far}");
+    assert!(far.contains("note: 1 lamps in the very place"), "{far}");
+    let near = said("spheres");
+    assert!(
+        !near.contains("warning") && !near.contains("note: "),
+        "{near}"
+    );
 }

@@ -171,7 +171,12 @@ fn a09_exponential_spacing_does_not_exhaust_the_stack() {
 pub fn garbage(scene: u32, rays: u32) -> usize {
     let mut draw = Draw::new(99, scene);
     let mut word = move || (draw.below(1 << 16) << 16 | draw.below(1 << 16)) as u32;
-    let mut point = || Vec3::from_array(std::array::from_fn(|_| f32::from_bits(word())));
+    // The distance of two coordinates should be a number where they are.
+    let mut number = move || match f32::from_bits(word()) {
+        x if x.is_finite() && x.abs() > 0.5 * f32::MAX => 0.5 * x,
+        x => x,
+    };
+    let mut point = || Vec3::from_array(std::array::from_fn(|_| number()));
     let count = 1 + scene as usize % 255;
     let shapes: Vec<Shape> = (0..count)
         .map(|i| {

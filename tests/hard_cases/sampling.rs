@@ -224,3 +224,43 @@ fn a30_jitter_far_to_the_right_of_a_picture() {
     // The place stays in its pixel, ends included.
     assert!(within.x >= 65_535.0 && within.y <= 65_536.0);
 }
+
+#[test]
+fn a26_lights_without_extent_are_found_by_aiming_alone() {
+    use halfdisk::integrators::{Integrator, Named};
+    use halfdisk::scene::Tracer;
+    // A point light two units above a floor, and a lamp that shines elsewhere.
+    let lit = super::scene(
+        "[[objects]]\nmaterial = 'half'\nquad = { corner = [-5, -1, -5], u = [0, 0, 10], v = [10, 0, 0] }\n\
+         [[lights]]\npoint = { position = [0, 1, 0], intensity = 3 }\n\
+         [[objects]]\nemits = 1\nsphere = { center = [0, -9, 0], radius = 1 }\n",
+    );
+    // f I cos / d², straight below.
+    let truth = 0.5 / std::f64::consts::PI * 3.0 / 4.0;
+    let ray = halfdisk::geometry::Ray::new(Vec3::ZERO, Vec3::NEG_Y);
+    let placeholder = f64::from(Heuristic::Power.weight(1.0, hemisphere::pdf_cosine(Vec3::Z)));
+    for named in [
+        Named::NextEvent,
+        Named::WhichRay,
+        Named::Combine,
+        Named::Path,
+    ] {
+        let read: Estimate = (0..20_000)
+            .map(|i| {
+                let mut tracer = Tracer::new(&lit);
+                let li = named.with(2).li(&mut tracer, &ray, &Stream::new(26, 0, i));
+                f64::from(li.g)
+            })
+            .collect();
+        let off = |truth: f64| (read.mean() - truth).abs() <= 4.4 * read.std_error() + 1e-6 * truth;
+        assert!(off(truth), "{named:?}: {read:?} for {truth}");
+        assert!(
+            !off(placeholder * truth),
+            "a placeholder density loses light"
+        );
+    }
+    println!(
+        "seed 26: a point light {truth:.6} by four integrators; a placeholder keeps {placeholder:.3}"
+    );
+    assert!((placeholder - 0.908).abs() < 1e-3);
+}
