@@ -206,6 +206,7 @@ fn help_version_and_completions() {
         &["render", "--help"],
         &["scenes", "--help"],
         &["converge", "--help"],
+        &["cost", "--help"],
         &["doctor", "--help"],
         &["completions", "--help"],
         &["completions", "bash"],

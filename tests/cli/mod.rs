@@ -4,6 +4,7 @@ mod bad_meshes;
 mod bad_scenes;
 mod commands;
 mod converge;
+mod cost;
 mod doctor;
 pub mod meshes;
 mod target;

@@ -110,8 +110,8 @@ pub(super) fn plan(
     })
 }
 
-/// Powers of two, for which even points lie most evenly: the one below `affordable`,
-/// logarithmic axis, and quarters of it down to one.
+/// Powers of two, for which even points lie most evenly: the largest that can be afforded, and
+/// quarters of it down to one.
 fn sizes(affordable: f64, count: u32) -> Vec<u32> {
     let power = libm::log2(affordable.max(1.0)) as u32;
     let largest = MOST.min(1 << power.min(16));
@@ -130,7 +130,7 @@ mod tests {
     #[test]
     fn sizes_are_powers_of_two_up_to_what_can_be_paid() {
         assert_eq!(sizes(70.0, 4), [1, 4, 16, 64]);
-        assert_eq!(sizes(100.0, 3), [8, 32, 128]);
+        assert_eq!(sizes(128.0, 3), [8, 32, 128]);
         assert_eq!(sizes(0.2, 4), [1]);
         assert_eq!(sizes(20.0, 4), [1, 4, 16]);
         assert_eq!(sizes(1e12, 2), [1 << 14, 1 << 16]);

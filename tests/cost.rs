@@ -1,0 +1,171 @@
+//! What accuracy costs, measured small: in rays, so that every machine finds the same.
+
+use halfdisk::experiment::cost::{
+    ALL, Budget, Design, Measured, Method, PriceList, Reach, Verdict, measure,
+};
+use halfdisk::render::Progress;
+use halfdisk::scene::{Scene, gallery};
+use std::sync::atomic::{AtomicU64, Ordering};
+
+const DESIGN: Design = Design {
+    replicates: 10,
+    sizes: 3,
+    budget: Budget::Rays(100_000),
+    reference: 16,
+    threads: None,
+    seed: 3,
+};
+
+fn small(name: &str) -> Scene {
+    gallery::load_with(name, |said| said.film.size = [24, 24]).unwrap()
+}
+
+fn run(scene: &Scene, methods: &[Method], design: &Design) -> (Measured, PriceList) {
+    let measured = measure(scene, methods, design, &()).unwrap();
+    let list = PriceList::new(scene, &measured);
+    (measured, list)
+}
+
+#[test]
+fn every_unbiased_error_falls_as_one_over_the_root_of_its_rays() {
+    let scene = small("cornell");
+    let (measured, list) = run(&scene, &ALL, &DESIGN);
+    assert_eq!((measured.replicates, measured.interrupted), (10, false));
+    for method in &list.methods {
+        let fit = method.against_rays.as_ref();
+        let bias = method.bias.unwrap();
+        match method.name {
+            "whitted" | "clamped" => {
+                assert_eq!(method.verdict, Verdict::Biased, "{}", method.says());
+                assert!(bias.floor() > 0.05 && bias.square > 10.0 * bias.error);
+                assert!(method.says().contains("levels out"), "{}", method.says());
+                assert_eq!(method.times[2], Reach::Never);
+                assert!(method.ratios.iter().all(Option::is_none), "no price");
+            }
+            "path-sobol" => assert_eq!(method.verdict, Verdict::Faster, "{}", method.says()),
+            name => {
+                let fit = fit.unwrap_or_else(|why| panic!("{name}: {why}"));
+                assert!(fit.agrees_with(-0.5), "{name}: {fit}");
+                assert!(fit.half_width < 0.1, "{name}: {fit}");
+                assert_eq!(method.verdict, Verdict::Sufficient, "{name}");
+                assert!(!bias.is_certain(), "{name}: {bias:?}");
+                assert!(matches!(method.times[0], Reach::Priced { .. }), "{name}");
+            }
+        }
+        assert_eq!(method.non_finite, 0);
+        // What is paid is about the same: within a factor of two below the budget.
+        let paid = method.sizes.last().unwrap().rays;
+        assert!(
+            (45_000.0..110_000.0).contains(&paid),
+            "{}: {paid}",
+            method.name
+        );
+    }
+    // In rays chance pays far more than aiming.
+    let square_times_rays = |name: &str| {
+        let last = list.find(name).unwrap().sizes.last().copied().unwrap();
+        last.error * last.error * last.rays
+    };
+    let ratio = square_times_rays("kajiya") / square_times_rays("next-event");
+    assert!(ratio > 20.0, "{ratio}");
+    let even = square_times_rays("path") / square_times_rays("path-sobol");
+    assert!(even > 1.1, "{even}");
+}
+
+#[test]
+fn what_does_not_suffice_says_so() {
+    let scene = small("cornell");
+    let methods = [Method::find("kajiya").unwrap()];
+    for (design, words) in [
+        (
+            Design {
+                replicates: 1,
+                ..DESIGN
+            },
+            "fewer than two replicates",
+        ),
+        (Design { sizes: 1, ..DESIGN }, "fewer than two sizes"),
+        (
+            Design {
+                replicates: 3,
+                budget: Budget::Rays(20_000),
+                ..DESIGN
+            },
+            "too wide",
+        ),
+    ] {
+        let (_, list) = run(&scene, &methods, &design);
+        let [method] = list.methods.as_slice() else {
+            panic!()
+        };
+        assert_eq!(method.verdict, Verdict::Insufficient);
+        assert!(method.says().contains(words), "{}", method.says());
+        assert!(
+            !matches!(method.times[2], Reach::Priced { .. }),
+            "no law, no price"
+        );
+    }
+}
+
+#[test]
+fn a_method_that_happens_to_be_right_is_not_called_biased() {
+    // Mirrors and glass alone: there is nothing that whitted leaves out.
+    let scene = small("tunnel");
+    let methods = ["whitted", "path"].map(|name| Method::find(name).unwrap());
+    let (_, list) = run(&scene, &methods, &DESIGN);
+    let whitted = list.find("whitted").unwrap();
+    assert_ne!(whitted.verdict, Verdict::Biased, "{}", whitted.says());
+}
+
+#[test]
+fn walks_that_meet_lamps_by_chance_are_left_out_where_lamps_have_no_extent() {
+    let scene = small("whitted");
+    let cannot: Vec<&str> = ALL
+        .iter()
+        .filter(|m| m.cannot(&scene).is_some())
+        .map(|m| m.name)
+        .collect();
+    assert_eq!(cannot, ["kajiya", "roulette"]);
+    assert!(ALL.iter().all(|m| m.cannot(&small("cornell")).is_none()));
+}
+
+/// Stops after it was told so often that something is done.
+struct Impatient {
+    told: AtomicU64,
+    patience: u64,
+}
+
+impl Progress for Impatient {
+    fn tell(&self, done: u64, total: u64) {
+        assert!(done <= total + total / 100, "{done} of {total}");
+        self.told.fetch_add(1, Ordering::Relaxed);
+    }
+    fn stop(&self) -> bool {
+        self.told.load(Ordering::Relaxed) >= self.patience
+    }
+}
+
+#[test]
+fn stopped_it_keeps_the_replicates_that_are_complete() {
+    let scene = small("cornell");
+    let methods = ["kajiya", "path"].map(|name| Method::find(name).unwrap());
+    let stopped = |patience| {
+        let told = AtomicU64::new(0);
+        measure(&scene, &methods, &DESIGN, &Impatient { told, patience })
+    };
+    // Two halves of the reference, then six pictures for each replicate.
+    let some = stopped(2 + 3 * 6 + 2).unwrap();
+    assert_eq!((some.replicates, some.interrupted), (3, true));
+    let list = PriceList::new(&scene, &some);
+    assert!(list.interrupted && list.methods.iter().all(|m| m.sizes.len() == 3));
+    let (whole, _) = run(&scene, &methods, &DESIGN);
+    for (few, all) in some.methods.iter().zip(&whole.methods) {
+        for (a, b) in few.runs.iter().flatten().zip(all.runs.iter().flatten()) {
+            assert_eq!((a.square, a.rays), (b.square, b.rays), "the same pictures");
+        }
+    }
+    assert!(
+        stopped(0).is_err() && stopped(4).is_err(),
+        "nothing complete"
+    );
+}
