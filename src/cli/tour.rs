@@ -22,6 +22,7 @@ const CHAPTERS: &[(&str, &str)] = &[
     ("ch12", "ch12-aim-at-the-light"),
     ("ch13", "ch13-combine"),
     ("ch17", "ch17-hard-cases"),
+    ("ch14", "ch14-cost"),
 ];
 
 /// Run the chapters in order; write the gallery page and the ledger.

@@ -8,7 +8,7 @@ const SMALL: [&str; 8] = [
     "--budget",
     "1",
     "--size",
-    "12x12",
+    "24x24",
     "--replicates",
     "3",
     "--methods",
@@ -26,7 +26,7 @@ fn a_page_charts_pictures_and_numbers() {
     let folder = folder();
     let text = cost(folder.path(), &[&["cornell"][..], &SMALL].concat());
     for words in [
-        "cornell, 12 x 12, 3 replicates",
+        "cornell, 24 x 24, 3 replicates",
         "path-sobol needs ",
         "at 256 x 256",
         "never",
@@ -89,7 +89,7 @@ fn what_it_cannot_do_it_says() {
     let folder = folder();
     let sentence = refused(folder.path(), &["cost", "cornell", "--methods", "magic"], 2);
     assert!(
-        sentence.contains("the methods are whitted, kajiya"),
+        sentence.contains("there is no method \"magic\"; there are whitted, kajiya"),
         "{sentence}"
     );
     let sentence = refused(
@@ -98,16 +98,17 @@ fn what_it_cannot_do_it_says() {
         2,
     );
     assert!(sentence.contains("without extent"), "{sentence}");
+    refused(folder.path(), &["cost", "nowhere"], 2);
     for arguments in [
         &["cost"][..],
-        &["cost", "nowhere"],
         &["cost", "cornell", "--budget", "0"],
         &["cost", "cornell", "--budget", "NaN"],
         &["cost", "cornell", "--replicates", "0"],
         &["cost", "cornell", "--size", "0x4"],
         &["cost", "cornell", "--threads", "0"],
     ] {
-        refused(folder.path(), arguments, 2);
+        let output = halfdisk(folder.path(), arguments);
+        assert_eq!(output.status.code(), Some(2), "{arguments:?}");
     }
     assert!(
         folder.path().read_dir().unwrap().next().is_none(),

@@ -28,8 +28,8 @@ pub struct Cost {
     /// A scene of the gallery (see `halfdisk scenes`), or a path to a .toml file
     scene: String,
     /// Only these methods, such as kajiya,combine,path [default: all that can render the scene]
-    #[arg(long, value_delimiter = ',', value_name = "NAMES", value_parser = method)]
-    methods: Vec<Method>,
+    #[arg(long, value_delimiter = ',', value_name = "NAMES")]
+    methods: Vec<String>,
     /// Independent pictures of each method at each size
     #[arg(long, default_value_t = Design::default().replicates,
         value_parser = clap::value_parser!(u32).range(1..=1000))]
@@ -67,10 +67,11 @@ Examples:
 /// The longer side of the pictures that are measured, where nobody says otherwise.
 const SIDE: u32 = 64;
 
-fn method(name: &str) -> Result<Method, String> {
+fn method(name: &str) -> Result<Method, Stop> {
     Method::find(name.trim()).ok_or_else(|| {
         let names: Vec<_> = ALL.iter().map(|m| m.name).collect();
-        format!("the methods are {}", names.join(", "))
+        let names = names.join(", ");
+        Stop::Input(format!("there is no method \"{name}\"; there are {names}"))
     })
 }
 
@@ -161,7 +162,12 @@ impl Cost {
         &self,
         scene: &Scene,
     ) -> Result<(Vec<Method>, Vec<(&'static str, &'static str)>), Stop> {
-        let wanted = match self.methods.as_slice() {
+        let named: Vec<Method> = self
+            .methods
+            .iter()
+            .map(|n| method(n))
+            .collect::<Result<_, _>>()?;
+        let wanted = match named.as_slice() {
             [] => ALL.to_vec(),
             some => ALL.into_iter().filter(|m| some.contains(m)).collect(),
         };

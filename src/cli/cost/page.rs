@@ -21,7 +21,7 @@ pub(super) fn html(report: &Report, charts: &[String]) -> Result<String, Stop> {
     let sentences: Vec<String> = list
         .methods
         .iter()
-        .filter_map(|m| Some(sentence(m.name, &list.against_base(m)?)))
+        .filter_map(|m| list.against_base(m).map(|[s, r]| sentence(m.name, &s, &r)))
         .collect();
     let strip = |kind: &str, strip: &[Shown]| -> Vec<Value> {
         strip.iter().map(|shown| picture(kind, shown)).collect()

@@ -60,6 +60,8 @@ pub struct Priced {
     /// The time it needs for the same error, in times of that of each method in the list, by seconds;
     /// `None` where either is biased.
     pub ratios: Vec<Option<Ratio>>,
+    /// The same by rays.
+    pub ray_ratios: Vec<Option<Ratio>>,
     /// Samples that were no number, in all pictures.
     pub non_finite: u64,
 }
@@ -117,12 +119,14 @@ impl PriceList {
             .map(|m| priced(m, measured))
             .collect();
         for (i, a) in measured.methods.iter().enumerate() {
-            let ratios = measured.methods.iter().enumerate().map(|(j, b)| {
+            for (j, b) in measured.methods.iter().enumerate() {
                 let biased = |k: usize| methods[k].verdict == Verdict::Biased;
                 let fair = i != j && !biased(i) && !biased(j);
-                fair.then(|| ratio(&largest(a), &largest(b))).flatten()
-            });
-            methods[i].ratios = ratios.collect();
+                let by = |cost| ratio(&largest(a, cost), &largest(b, cost)).filter(|_| fair);
+                let (seconds, rays) = (by(seconds), by(rays));
+                methods[i].ratios.push(seconds);
+                methods[i].ray_ratios.push(rays);
+            }
         }
         PriceList {
             scene: scene.name.clone(),
@@ -140,17 +144,27 @@ impl PriceList {
         self.methods.iter().find(|m| m.name == name)
     }
 
-    /// How many times the time of `path` a method needs for the same error.
-    pub fn against_base(&self, method: &Priced) -> Option<Ratio> {
+    /// How many times the time of `path` a method needs for the same error, and how many times its
+    /// rays.
+    pub fn against_base(&self, method: &Priced) -> Option<[Ratio; 2]> {
         let base = self.methods.iter().position(|m| m.name == BASE)?;
-        method.ratios.get(base).copied().flatten()
+        let of = |ratios: &[Option<Ratio>]| ratios.get(base).copied().flatten();
+        Some([of(&method.ratios)?, of(&method.ray_ratios)?])
     }
 }
 
-/// Squared error and seconds of the largest pictures.
-fn largest(runs: &Runs) -> Vec<Paid> {
+fn seconds(run: &Run) -> f64 {
+    run.seconds
+}
+
+fn rays(run: &Run) -> f64 {
+    run.rays.total() as f64
+}
+
+/// Squared error and cost of the largest pictures.
+fn largest(runs: &Runs, cost: fn(&Run) -> f64) -> Vec<Paid> {
     let last = runs.runs.iter().filter_map(|row| row.last());
-    last.map(|run| [run.square, run.seconds]).collect()
+    last.map(|run| [run.square, cost(run)]).collect()
 }
 
 fn priced(runs: &Runs, measured: &Measured) -> Priced {
@@ -159,26 +173,29 @@ fn priced(runs: &Runs, measured: &Measured) -> Priced {
         runs.runs.iter().map(row).collect()
     };
     let squares = rows(|run| run.square);
-    let against_rays = fit_measured(&rows(|run| run.rays.total() as f64), &squares);
-    let against_seconds = fit_measured(&rows(|run| run.seconds), &squares);
+    let against_rays = fit_measured(&rows(rays), &squares);
+    let against_seconds = fit_measured(&rows(seconds), &squares);
     let bias = runs.sums.bias(measured.truth(&runs.method));
     let sizes: Vec<Size> = (0..runs.spp.len()).map(|k| size(runs, k)).collect();
     let verdict = verdict(&against_rays, bias, runs.method.is_independent());
-    let mut rays = RayCounts::default();
-    runs.runs.iter().flatten().for_each(|run| rays += run.rays);
-    let camera = rays.camera.max(1) as f64;
+    let mut counts = RayCounts::default();
+    runs.runs
+        .iter()
+        .flatten()
+        .for_each(|run| counts += run.rays);
+    let camera = counts.camera.max(1) as f64;
     Priced {
         name: runs.method.name,
         about: runs.method.about,
         rays_per_sample: PerSample {
             camera: 1.0,
-            secondary: rays.secondary as f64 / camera,
-            shadow: rays.shadow as f64 / camera,
+            secondary: counts.secondary as f64 / camera,
+            shadow: counts.shadow as f64 / camera,
         },
         seconds_per_spp: sizes.last().map_or(0.0, |s| s.seconds / f64::from(s.spp)),
         times: TARGETS
             .iter()
-            .map(|&target| reach(target, &sizes, &largest(runs), verdict, bias))
+            .map(|&target| reach(target, &sizes, &largest(runs, seconds), verdict, bias))
             .collect(),
         sizes,
         against_rays,
@@ -187,6 +204,7 @@ fn priced(runs: &Runs, measured: &Measured) -> Priced {
         may_be_biased: runs.method.may_be_biased,
         bias,
         ratios: Vec::new(),
+        ray_ratios: Vec::new(),
         non_finite: runs.runs.iter().flatten().map(|run| run.non_finite).sum(),
     }
 }

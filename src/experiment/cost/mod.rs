@@ -9,7 +9,10 @@
 //! * [`list`](PriceList), [`target`](Reach): slopes, ratios and times, with intervals or a word that
 //!   there is none.
 //!
-//! Errors are relative: the root of the mean over pixels and channels of `(x - t)² / (t² + 0.01)`.
+//! Errors are relative: the root of the mean over pixels and channels of `(x - t)² / (t² + (m/3)²)`,
+//! where `t` is the truth and `m` the mean of the picture. That counts each pixel by itself, so that a
+//! small picture tells what a large one costs; [`accuracy`](crate::render::accuracy), which has no truth
+//! to look at, counts a pixel by what is around it.
 //!
 //! Sources: Celarek, Jakob, Wimmer, Lehtinen, Quantifying the Error of Light Transport Algorithms
 //! (Computer Graphics Forum 38(4), 2019), for many short renders; Whittle, Jones, Mantiuk, Analysis of

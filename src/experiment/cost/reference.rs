@@ -4,7 +4,8 @@
 //! estimate's error. The product of the differences from two independent references does not: its
 //! expectation is the squared distance from the truth, whatever their noise.
 
-use crate::render::{Film, Picture, compare};
+use crate::render::{Film, Picture};
+use crate::stats::Estimate;
 
 /// Two independent pictures of the same thing.
 #[derive(Clone, Debug)]
@@ -13,12 +14,11 @@ pub struct Reference {
     pub halves: [Picture; 2],
     /// Their mean, without errors.
     pub picture: Picture,
+    /// The square of what errors in each pixel and channel are relative to.
+    scale: Vec<[f64; 3]>,
     /// Samples per pixel of each half.
     pub spp: u32,
 }
-
-/// Keeps black pixels from counting without bound, as in [`compare::rel_mse`].
-const FLOOR: f64 = 0.01;
 
 impl Reference {
     /// A reference from two films of different seeds.
@@ -32,6 +32,7 @@ impl Reference {
             errors: None,
         };
         Reference {
+            scale: scale(&picture),
             halves,
             picture,
             spp,
@@ -40,7 +41,7 @@ impl Reference {
 
     // ANCHOR: squares
     /// Squared relative distances from the truth, without bias: for each pixel the mean over its
-    /// channels of `(x - a)(x - b) / (r² + 0.01)` with the halves `a`, `b` and their mean `r`.
+    /// channels of `(x - a)(x - b)` with the halves `a` and `b`, over the squared scale.
     pub fn squares(&self, film: &Film) -> Vec<f64> {
         let values = film.pixels().iter().map(|p| p.mean().unwrap_or([0.0; 3]));
         values
@@ -54,31 +55,70 @@ impl Reference {
     /// pixel `i`.
     pub(super) fn product(&self, i: usize, x: &[f64; 3], y: &[f64; 3]) -> f64 {
         let [a, b] = [&self.halves[0].values[i], &self.halves[1].values[i]];
-        let r = &self.picture.values[i];
-        let channel = |c: usize| (x[c] - a[c]) * (y[c] - b[c]) / (r[c] * r[c] + FLOOR);
+        self.relative(i, |c| (x[c] - a[c]) * (y[c] - b[c]))
+    }
+
+    /// The mean over channels of squares in pixel `i`, relative. What is black and has no error has no
+    /// relative one.
+    fn relative(&self, i: usize, square: impl Fn(usize) -> f64) -> f64 {
+        let channel = |c: usize| match square(c) {
+            0.0 => 0.0,
+            square => square / self.scale[i][c],
+        };
         (channel(0) + channel(1) + channel(2)) / 3.0
+    }
+
+    /// For each pixel the samples it takes for a relative error, from the variances in a film of
+    /// independent samples.
+    pub fn required(&self, film: &Film, error: f64) -> Vec<f64> {
+        let pixels = film.pixels().iter().enumerate();
+        pixels
+            .map(|(i, p)| self.relative(i, |c| p.channels[c].variance()) / (error * error))
+            .collect()
+    }
+
+    /// The signed difference of the halves in pixel `i`, mean over channels.
+    pub(super) fn apart(&self, i: usize) -> f64 {
+        let [a, b] = [&self.halves[0].values[i], &self.halves[1].values[i]];
+        (0..3).map(|c| a[c] - b[c]).sum::<f64>() / 3.0
     }
 
     /// The reference's own root mean squared relative error, from how far its halves are apart.
     pub fn error(&self) -> f64 {
+        let [a, b] = [&self.halves[0].values, &self.halves[1].values];
+        let square = |i: usize, c: usize| (a[i][c] - b[i][c]) * (a[i][c] - b[i][c]);
+        let squares: Estimate = (0..a.len())
+            .map(|i| self.relative(i, |c| square(i, c)))
+            .collect();
         // The halves' difference has four times the variance of their mean.
-        (0.25 * compare::rel_mse(&self.halves[0], &self.halves[1])).sqrt()
+        (0.25 * squares.mean()).sqrt()
     }
+}
+
+/// What errors are relative to, squared: the value itself, and where it is dark a third of the mean
+/// of the picture, so that black does not count without bound.
+fn scale(picture: &Picture) -> Vec<[f64; 3]> {
+    let third = picture.mean().0 / 3.0;
+    let channel = |x: f64| x * x + third * third;
+    picture.values.iter().map(|v| v.map(channel)).collect()
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
     use crate::render::Pixel;
+    use crate::render::compare;
     use crate::sampling::stream::{Purpose, Stream};
-    use crate::stats::Estimate;
 
     /// A grey film of `spp` samples of mean 1/2 and variance 1/12 in each pixel.
     fn film(seed: u64, spp: u32) -> Film {
         let pixel = |i| {
             let mut u = Stream::new(seed, i, 0).at(0, Purpose::Pixel);
             let e: Estimate = (0..spp).map(|_| f64::from(u.one())).collect();
-            Pixel { channels: [e; 3], ..Pixel::default() }
+            Pixel {
+                channels: [e; 3],
+                ..Pixel::default()
+            }
         };
         Film::new(64, (0..4096).map(pixel).collect())
     }
@@ -88,23 +128,34 @@ mod tests {
         // As many samples as the estimate has: the plain square would read twice the variance.
         let reference = Reference::new(&film(1, 8), &film(2, 8), 8);
         let squares: Estimate = reference.squares(&film(3, 8)).into_iter().collect();
-        let variance = 1.0 / 12.0 / 8.0;
+        // Relative to 1/2 and a third of it; its inverse square is larger in the mean where it is noisy.
         let expected: f64 = reference
-            .picture
-            .values
+            .scale
             .iter()
-            .map(|r| variance / (r[0] * r[0] + FLOOR))
+            .map(|s| 1.0 / 12.0 / 8.0 / s[0])
             .sum();
         let expected = expected / 4096.0;
-        assert!(squares.z(expected).abs() < 4.0, "{}", squares.z(expected));
-        let plain = compare::rel_mse(&film(3, 8).picture(), &reference.picture);
-        assert!(plain > 1.3 * expected, "{plain} for {expected}");
+        assert!(
+            (squares.mean() / expected - 1.0).abs() < 0.08,
+            "{}",
+            squares.mean()
+        );
+        let plain = true_error(
+            &film(3, 8).picture(),
+            &film(1, 8).picture(),
+            Measure::default(),
+        );
+        assert!(plain * plain > 1.8 * expected, "{plain} for {expected}");
     }
 
     #[test]
     fn a_reference_knows_its_own_error() {
         let reference = Reference::new(&film(1, 64), &film(2, 64), 64);
-        let expected = (1.0 / 12.0 / 128.0 / 0.26_f64).sqrt();
-        assert!((reference.error() / expected - 1.0).abs() < 0.05);
+        let expected = (1.0 / 12.0 / 128.0 / (0.25 + 0.25 / 9.0) as f64).sqrt();
+        assert!(
+            (reference.error() / expected - 1.0).abs() < 0.05,
+            "{}",
+            reference.error()
+        );
     }
 }

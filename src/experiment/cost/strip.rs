@@ -3,7 +3,7 @@
 use super::list::{Priced, Verdict};
 use super::method::Method;
 use super::runs::{Measured, Runs};
-use crate::render::{Film, Pixel, Progress};
+use crate::render::{Film, Picture, Pixel, Progress};
 use crate::scene::Scene;
 use crate::stats::Estimate;
 
@@ -47,7 +47,7 @@ pub fn show(
         seconds: rendered.time.as_secs_f64(),
         rays: rendered.rays.total(),
         error: squares.mean().max(0.0).sqrt(),
-        off: signed(&rendered.film, &truth.picture.values),
+        off: signed(&rendered.film, &truth.picture),
         film: rendered.film,
     })
 }
@@ -74,11 +74,14 @@ pub fn needed(priced: &Priced, runs: &Runs, error: f64) -> Option<u32> {
 
 /// What is too bright in red, what is too dark in blue; full colour at an error of one half of the
 /// truth, white for none.
-pub fn signed(film: &Film, truth: &[[f64; 3]]) -> Film {
+pub fn signed(film: &Film, truth: &Picture) -> Film {
+    let third = truth.mean().0 / 3.0;
     let colour = |(pixel, truth): (&Pixel, &[f64; 3])| {
         let mean = pixel.mean().unwrap_or([0.0; 3]);
-        let relative = |c: usize| (mean[c] - truth[c]) / (truth[c] * truth[c] + 0.01).sqrt();
-        let off = (relative(0) + relative(1) + relative(2)) / 3.0;
+        let (sum, size) = (0..3).fold((0.0, 0.0), |(sum, size), c| {
+            (sum + mean[c] - truth[c], size + truth[c].hypot(third))
+        });
+        let off = if sum == 0.0 { 0.0 } else { sum / size };
         let fade = 1.0 - (2.0 * off.abs()).min(1.0);
         let channels = match off > 0.0 {
             true => [1.0, fade, fade],
@@ -89,7 +92,8 @@ pub fn signed(film: &Film, truth: &[[f64; 3]]) -> Film {
             ..Pixel::default()
         }
     };
-    let pixels = film.pixels().iter().zip(truth).map(colour).collect();
+    let pixels = film.pixels().iter().zip(&truth.values);
+    let pixels = pixels.map(colour).collect();
     Film::new(film.width(), pixels)
 }
 
@@ -104,10 +108,15 @@ mod tests {
             ..Pixel::default()
         };
         let film = Film::new(3, vec![grey(1.0), grey(1.25), grey(0.1)]);
-        let map = signed(&film, &[[1.0; 3]; 3]);
+        let truth = Picture {
+            size: [3, 1],
+            values: vec![[1.0; 3]; 3],
+            errors: None,
+        };
+        let map = signed(&film, &truth);
         let colours: Vec<[f64; 3]> = map.pixels().iter().filter_map(Pixel::mean).collect();
         assert_eq!(colours[0], [1.0; 3]);
-        assert!(colours[1][0] == 1.0 && (colours[1][1] - 0.5).abs() < 0.01);
+        assert!(colours[1][0] == 1.0 && (colours[1][1] - 0.5).abs() < 0.05);
         assert_eq!(colours[2], [0.0, 0.0, 1.0]);
     }
 }

@@ -133,6 +133,8 @@ mod tests {
         let bias = Some(Bias {
             square: 0.0025,
             error: 0.0001,
+            mean: -0.01,
+            mean_error: 0.001,
         });
         let at = |target| reach(target, &sizes(), &PAID, Verdict::Biased, bias);
         assert_eq!(at(0.02), Reach::Never);

@@ -1,0 +1,84 @@
+//! Chapter 14: What accuracy costs.
+//!
+//! Question: a picture is too noisy. How many samples does it lack, and what would they cost?
+//! New here: `experiment::cost`, `experiment::noise`, `experiment::robustness`, `render::accuracy`,
+//! `render::target`. Simulates what each integrator before it does. Builds on: chapters 4 (the error
+//! bar and its rate) and 9 to 13 (the integrators).
+
+mod maps;
+mod needs;
+mod prices;
+mod steps;
+
+use halfdisk::desk::{Chapter, Desk, DeskError, Number};
+use halfdisk::experiment::robustness;
+use halfdisk::ledger::Ledger;
+use std::process::ExitCode;
+
+const CHAPTER: Chapter = Chapter {
+    id: "ch14",
+    title: "What accuracy costs",
+    question: "A picture is too noisy. How many samples does it lack, and what would they cost?",
+};
+
+fn main() -> ExitCode {
+    Desk::run(CHAPTER, work)
+}
+
+fn work(desk: &mut Desk) -> Result<Ledger, DeskError> {
+    // What a thousand samples more are worth, early and late.
+    steps::falls(desk)?;
+    let mut rays = steps::forty(desk)?;
+    rays += steps::halves(desk)?;
+
+    // Where samples are needed, and how many.
+    rays += maps::box_of_noise(desk)?;
+    rays += maps::four_scenes(desk)?;
+
+    // What each way to make a picture asks for accuracy.
+    let prices = prices::work(desk)?;
+    rays += prices.rays;
+    rays += needs::held_out(desk, &prices)?;
+    rays += needs::target(desk, &prices)?;
+
+    care(desk);
+    let (variance, per_sample) = (prices.variance, prices.rays_per_sample);
+    Ok(Ledger {
+        rays,
+        variance: Some(variance),
+        bias_in_errors: Some(prices.worst_bias),
+        efficiency: Some(1.0 / (variance * per_sample)),
+        ..Ledger::of(
+            "The price list: half the error costs four times the rays, whoever makes the picture; who \
+             makes it decides the rest.",
+        )
+    })
+}
+
+/// What care for floating point costs, in nanoseconds.
+fn care(desk: &mut Desk) {
+    let rounds = desk.choose(60, 10);
+    for (i, pair) in robustness::pairs().iter().enumerate() {
+        let timed = robustness::time(pair, rounds);
+        let mut record = |name: &str, says: &str, value: f64, unit: &str| {
+            let says = format!("{}: {says}", pair.name);
+            let number = Number::new(&says, prices::digits(value)).unit(unit);
+            desk.number(&format!("time_care_{name}_{i}"), number);
+        };
+        record("plain", pair.plain_form, timed.plain, "ns");
+        record("ours", pair.robust_form, timed.robust, "ns");
+        record("more", "more", 100.0 * timed.more, "%");
+        record(
+            "low",
+            "more, lower quartile",
+            100.0 * timed.quartiles[0],
+            "%",
+        );
+        record(
+            "high",
+            "more, upper quartile",
+            100.0 * timed.quartiles[1],
+            "%",
+        );
+    }
+}

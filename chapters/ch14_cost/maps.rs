@@ -1,0 +1,107 @@
+//! Where a picture needs samples: maps of the box, and four scenes.
+
+use crate::prices::digits;
+use halfdisk::chart::{Axis, Curve, HeatMap, Style, required_chart};
+use halfdisk::desk::{Desk, DeskError};
+use halfdisk::integrators::Path;
+use halfdisk::render::accuracy::{Accuracy, quantile};
+use halfdisk::render::{Options, Rendered, render};
+use halfdisk::scene::gallery;
+
+/// The relative error that pixels should have.
+const TARGET: f64 = 0.02;
+
+/// The scenes whose needs are compared.
+const SCENES: [&str; 4] = ["cornell", "spheres", "gloss", "caustic"];
+
+/// A square picture of a scene, by independent samples.
+fn picture(desk: &Desk, name: &str, side: u32, spp: u32) -> Result<Rendered, DeskError> {
+    let scene = gallery::load_with(name, |said| said.film.size = [side.into(); 2])?;
+    let options = Options {
+        spp,
+        seed: desk.options.seed,
+        ..Options::default()
+    };
+    let path = Path::new(scene.suggested.max_depth);
+    let rendered = render(&scene, &path, &options, &desk.bar(name));
+    match rendered.interrupted {
+        true => Err(DeskError::Interrupted),
+        false => Ok(rendered),
+    }
+}
+
+/// The variance of one sample and the samples that are needed, pixel by pixel; the rays.
+pub fn box_of_noise(desk: &mut Desk) -> Result<u64, DeskError> {
+    let found = picture(desk, "cornell", desk.choose(96, 32), desk.choose(64, 16))?;
+    let accuracy = Accuracy::of(&found.film);
+    let map = |title: &str, label: &str, values: Vec<f64>| HeatMap {
+        title: title.to_owned(),
+        label: label.to_owned(),
+        width: found.film.width(),
+        values,
+        axis: Axis::Log,
+    };
+    let variance = map("The variance of one path", "variance", accuracy.variances());
+    let caption = "How much one path of each pixel scatters: most at the edge of the lamp, on the \
+                   ceiling around it, and in the rims of shadows.";
+    desk.figure("variance.svg", caption, variance.to_svg()?)?;
+    let required = map(
+        "Paths for an error of 2 %",
+        "paths",
+        accuracy.required(TARGET),
+    );
+    let caption = "The paths that each pixel needs for an error of 2 %: its variance over the square \
+                   of what is wanted.";
+    desk.figure("required.svg", caption, required.to_svg()?)?;
+    Ok(found.rays.total())
+}
+
+/// How many paths pixels need for 2 % in four scenes; the rays.
+pub fn four_scenes(desk: &mut Desk) -> Result<u64, DeskError> {
+    let mut needs = Vec::new();
+    let mut rays = 0;
+    for name in SCENES {
+        let found = picture(desk, name, desk.choose(48, 24), desk.choose(64, 16))?;
+        rays += found.rays.total();
+        let required = Accuracy::of(&found.film).required(TARGET);
+        let share = |test: fn(f64) -> bool| {
+            let count = required.iter().filter(|n| test(**n)).count();
+            100.0 * count as f64 / required.len() as f64
+        };
+        let shares = [
+            ("less", "fewer than 100", share(|n| n < 100.0)),
+            (
+                "within",
+                "100 to 1000",
+                share(|n| (100.0..=1000.0).contains(&n)),
+            ),
+            ("more", "more than 1000", share(|n| n > 1000.0)),
+        ];
+        for (key, words, share) in shares {
+            let says = format!("{name}: pixels that need {words} paths, %");
+            desk.value(&format!("{key}_{name}"), &says, digits(share));
+        }
+        let says = format!("{name}: paths that serve half of the pixels");
+        let median = digits(quantile(required.clone(), 0.5));
+        desk.value(&format!("median_{name}"), &says, median);
+        needs.push((name, required));
+    }
+    let mut chart = required_chart("Paths for an error of 2 % in four scenes", TARGET, &needs);
+    // Four lines of 95 % would hide what is told here: the slides' range is marked instead.
+    chart.curves.retain(|curve| curve.style != Style::Dashed);
+    let top = chart
+        .curves
+        .iter()
+        .flat_map(|c| &c.points)
+        .map(|p| p.y)
+        .fold(0.0, f64::max);
+    for (name, n) in [("the slides' 100 to 1000", 100.0), ("", 1000.0)] {
+        chart
+            .curves
+            .push(Curve::new(name, Style::Dashed, [(n, 0.0), (n, top)]).coloured(6));
+    }
+    let caption = "How many paths the pixels of four scenes need for an error of 2 %, and the range \
+                   that the slides give.";
+    desk.figure("histogram.svg", caption, chart.to_svg()?)?;
+    Ok(rays)
+}
