@@ -1,17 +1,16 @@
 //! Chapter 14: What accuracy costs.
 //!
 //! Question: a picture is too noisy. How many samples does it lack, and what would they cost?
-//! New here: `experiment::cost`, `experiment::noise`, `experiment::robustness`, `render::accuracy`,
-//! `render::target`. Simulates what each integrator before it does. Builds on: chapters 4 (the error
-//! bar and its rate) and 9 to 13 (the integrators).
+//! New here: `experiment::cost`, `experiment::noise`, `render::accuracy`, `render::target`. Simulates
+//! what each integrator before it does. Builds on: chapters 4 (the error bar and its rate) and 9 to 13
+//! (the integrators).
 
 mod maps;
 mod needs;
 mod prices;
 mod steps;
 
-use halfdisk::desk::{Chapter, Desk, DeskError, Number};
-use halfdisk::experiment::robustness;
+use halfdisk::desk::{Chapter, Desk, DeskError};
 use halfdisk::ledger::Ledger;
 use std::process::ExitCode;
 
@@ -41,7 +40,6 @@ fn work(desk: &mut Desk) -> Result<Ledger, DeskError> {
     rays += needs::held_out(desk, &prices)?;
     rays += needs::target(desk, &prices)?;
 
-    care(desk);
     let (variance, per_sample) = (prices.variance, prices.rays_per_sample);
     Ok(Ledger {
         rays,
@@ -53,32 +51,4 @@ fn work(desk: &mut Desk) -> Result<Ledger, DeskError> {
              makes it decides the rest.",
         )
     })
-}
-
-/// What care for floating point costs, in nanoseconds.
-fn care(desk: &mut Desk) {
-    let rounds = desk.choose(60, 10);
-    for (i, pair) in robustness::pairs().iter().enumerate() {
-        let timed = robustness::time(pair, rounds);
-        let mut record = |name: &str, says: &str, value: f64, unit: &str| {
-            let says = format!("{}: {says}", pair.name);
-            let number = Number::new(&says, prices::digits(value)).unit(unit);
-            desk.number(&format!("time_care_{name}_{i}"), number);
-        };
-        record("plain", pair.plain_form, timed.plain, "ns");
-        record("ours", pair.robust_form, timed.robust, "ns");
-        record("more", "more", 100.0 * timed.more, "%");
-        record(
-            "low",
-            "more, lower quartile",
-            100.0 * timed.quartiles[0],
-            "%",
-        );
-        record(
-            "high",
-            "more, upper quartile",
-            100.0 * timed.quartiles[1],
-            "%",
-        );
-    }
 }

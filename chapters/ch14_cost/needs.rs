@@ -1,4 +1,4 @@
-//! How many samples an error needs: predicted from one picture, found in others.
+//! How many samples an error needs: predicted from four pictures, found in others.
 
 use crate::prices::{Prices, digits};
 use halfdisk::desk::{Desk, DeskError, Number};
@@ -21,26 +21,26 @@ pub fn held_out(desk: &mut Desk, prices: &Prices) -> Result<u64, DeskError> {
         seed: desk.options.seed << 20 | number,
         ..Options::default()
     };
-    // ANCHOR: needed
-    let pilot = render(
-        scene,
-        &path,
-        &options(desk.choose(512, 256), 1),
-        &desk.bar("pilot"),
-    );
-    // The variance of one sample over the squared error that is wanted, mean over all pixels.
     let truth = &prices.measured.reference;
-    let required: Estimate = truth.required(&pilot.film, ERROR).into_iter().collect();
+    let (mut required, mut rays, mut interrupted) = (Estimate::new(), 0, false);
+    // ANCHOR: needed
+    for number in 0..4 {
+        let options = options(desk.choose(128, 64), number);
+        let pilot = render(scene, &path, &options, &desk.bar("pilot"));
+        // The variance of a sample over the squared error that is wanted, mean over all pixels.
+        let pixels: Estimate = truth.required(&pilot.film, ERROR).into_iter().collect();
+        required.add(pixels.mean());
+        // ANCHOR_END: needed
+        rays += pilot.rays.total();
+        interrupted |= pilot.interrupted;
+    }
     let needed = required.mean().ceil() as u32;
-    // ANCHOR_END: needed
     let mut squares = Estimate::new();
-    let mut rays = pilot.rays.total();
-    let mut interrupted = pilot.interrupted;
     for number in 0..desk.choose(8, 6) {
         let found = render(
             scene,
             &path,
-            &options(needed, 2 + number),
+            &options(needed, 4 + number),
             &desk.bar("held out"),
         );
         rays += found.rays.total();
@@ -53,7 +53,7 @@ pub fn held_out(desk: &mut Desk, prices: &Prices) -> Result<u64, DeskError> {
     }
     desk.value(
         "needed",
-        "paths for an error of 5 % in the box, from one picture",
+        "paths for an error of 5 % in the box, from four pictures",
         needed.into(),
     );
     let error = squares.mean().sqrt();

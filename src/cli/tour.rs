@@ -21,8 +21,8 @@ const CHAPTERS: &[(&str, &str)] = &[
     ("ch11", "ch11-roulette"),
     ("ch12", "ch12-aim-at-the-light"),
     ("ch13", "ch13-combine"),
-    ("ch17", "ch17-hard-cases"),
     ("ch14", "ch14-cost"),
+    ("ch17", "ch17-hard-cases"),
 ];
 
 /// Run the chapters in order; write the gallery page and the ledger.

@@ -5,7 +5,6 @@
 //! * [`named`]: the estimators one can ask for by name;
 //! * [`price`]: what the same error costs two ways;
 //! * [`noise`]: what a thousand samples more are worth;
-//! * [`robustness`]: what care for floating point costs;
 //! * [`stopwatch`]: how long one thing takes for the time of another.
 
 pub mod convergence;
@@ -13,5 +12,4 @@ pub mod cost;
 pub mod named;
 pub mod noise;
 pub mod price;
-pub mod robustness;
 pub mod stopwatch;
