@@ -6,6 +6,7 @@
 
 mod prices;
 mod walks;
+mod words;
 
 use serde_json::Value;
 use std::fs;

@@ -11,6 +11,7 @@ use std::sync::atomic::Ordering;
 const CHAPTERS: &[(&str, &str)] = &[
     ("ch01", "ch01-from-the-eye"),
     ("ch02", "ch02-whitteds-tree"),
+    ("ch03", "ch03-alphabet"),
     ("ch04", "ch04-hit-or-miss"),
     ("ch05", "ch05-half-disk"),
     ("ch06", "ch06-bending"),

@@ -1,0 +1,162 @@
+//! What each integrator finds: said by expressions, and measured.
+
+use crate::figures::short;
+use crate::share_of;
+use halfdisk::desk::{Desk, DeskError, Number};
+use halfdisk::effects::language::{Class, Finds, finds};
+use halfdisk::effects::words::{Words, words};
+use halfdisk::integrators::{Named, Path};
+use halfdisk::render::{Options, render};
+use halfdisk::scene::description::{
+    Color, Description, Exactly, Light, Object, PointLight, Sphere,
+};
+use halfdisk::scene::{Scene, gallery};
+use halfdisk::stats::Estimate;
+use std::f64::consts::PI;
+
+/// Where the lamp is that takes the place of the room's own.
+const PLACE: [f64; 3] = [278.0, 480.0, 279.5];
+/// What it sends out, in W/sr: about as much as the room's own.
+const INTENSITY: f64 = 200_000.0;
+
+/// The light of a point that walks from the eye find.
+const BY_POINT: [Class; 3] = [Class::Direct, Class::DirectSpecular, Class::Bleeding];
+
+/// The rays, and the largest distance of a picture from what the expressions say, in standard errors.
+pub fn work(desk: &mut Desk) -> Result<(u64, f64), DeskError> {
+    let (by_lamp, worst) = room(desk, "lamp", |_| {})?;
+    let (by_point, worst_of_point) = room(desk, "point", point)?;
+    // What the point's light would be if it were a small ball: then paths find all of it.
+    let scene = load(desk, |said| ball(said, 20.0))?;
+    let mut lost = Estimate::new();
+    for seed in 0..desk.choose(24, 8) {
+        let words = spell(desk, &scene, seed);
+        let [found, caustics] = [BY_POINT.as_slice(), &[Class::Caustic]]
+            .map(|classes| classes.iter().map(|c| share_of(*c, &words)[0]).sum::<f64>());
+        lost.add(100.0 * caustics / found);
+    }
+    let says = "caustics of a small ball, percent of what a point's paths find";
+    desk.estimate("ball_caustic", says, &lost, None);
+    Ok((by_lamp + by_point, worst.max(worst_of_point)))
+}
+
+fn load(desk: &Desk, change: impl FnOnce(&mut Description)) -> Result<Scene, DeskError> {
+    let side = desk.choose(48, 16);
+    Ok(gallery::load_with("spheres", |said| {
+        said.film.size = [side; 2];
+        change(said);
+    })?)
+}
+
+fn point(said: &mut Description) {
+    said.objects.retain(|object| object.emits.is_none());
+    said.lights.push(Light {
+        point: Some(PointLight {
+            position: Exactly(PLACE),
+            intensity: Color([INTENSITY; 3]),
+        }),
+        directional: None,
+    });
+}
+
+fn ball(said: &mut Description, radius: f64) {
+    for object in said.objects.iter_mut().filter(|o| o.emits.is_some()) {
+        *object = Object {
+            emits: Some(Color([INTENSITY / (PI * radius * radius); 3])),
+            quad: None,
+            sphere: Some(Sphere {
+                center: Exactly(PLACE),
+                radius,
+                inward: false,
+            }),
+            ..object.clone()
+        };
+    }
+}
+
+/// All integrators in one room: the rays, and the largest distance in standard errors.
+fn room(
+    desk: &mut Desk,
+    lamp: &str,
+    change: impl FnOnce(&mut Description),
+) -> Result<(u64, f64), DeskError> {
+    let scene = load(desk, change)?;
+    desk.say(&format!("\nthe room with a {lamp}"));
+    let spelt: Vec<Words> = (0..desk.choose(24, 8))
+        .map(|seed| spell(desk, &scene, seed))
+        .collect();
+    let all: Estimate = spelt.iter().map(|words| words.total.mean()).collect();
+    let (mut rays, mut worst) = (0, 0.0_f64);
+    for named in Named::ALL {
+        let found = |class: &Class| finds(named, *class, &scene.inventory);
+        for class in Class::ALL {
+            answer(desk, lamp, named, class, found(&class));
+        }
+        let classes = Class::ALL.into_iter();
+        let classes: Vec<Class> = classes.filter(|c| found(c) == Finds::All).collect();
+        let (mut said, mut read, mut apart) = (Estimate::new(), Estimate::new(), Estimate::new());
+        for (seed, words) in (0..).zip(&spelt) {
+            let shares = classes.iter().map(|class| share_of(*class, words)[0]);
+            let light = shares.sum::<f64>() * words.total.mean();
+            let (mean, traced) = picture(desk, &scene, named, seed)?;
+            said.add(light);
+            read.add(mean);
+            // Both saw the lamp through the same points of the pixels: no noise of their difference.
+            apart.add(mean - light);
+            rays += traced;
+        }
+        let says = format!("{}: percent of the light", named.name());
+        let percent = |light: f64| 100.0 * light / all.mean();
+        let number = Number {
+            error: Some(percent(apart.std_error())),
+            ..Number::new(&says, percent(read.mean())).exact(percent(said.mean()))
+        };
+        desk.number(&format!("{lamp}_{}", key(named)), number);
+        // `path` is compared with itself, and differs by rounding alone.
+        if apart.std_error() > 1e-6 * all.mean() {
+            worst = worst.max(apart.z(0.0).abs());
+        }
+    }
+    Ok((rays, worst))
+}
+
+/// 1 where the integrator finds the class, 0 where it does not, nothing where there is no such light.
+fn answer(desk: &mut Desk, lamp: &str, named: Named, class: Class, found: Finds) {
+    let value = match found {
+        Finds::All => 1.0,
+        Finds::Part => 0.5,
+        Finds::Nothing => 0.0,
+        Finds::Absent => return,
+    };
+    let says = format!("{} finds {}", named.name(), class.text());
+    let name = format!("{lamp}_{}_{}", key(named), short(class));
+    desk.value(&name, &says, value);
+}
+
+fn options(desk: &Desk, seed: u64) -> Options {
+    Options {
+        spp: 4,
+        seed: desk.options.seed + seed,
+        ..Options::default()
+    }
+}
+
+fn spell(desk: &Desk, scene: &Scene, seed: u64) -> Words {
+    let path = Path::new(scene.suggested.max_depth);
+    words(scene, &path, &options(desk, seed), 1)
+}
+
+/// The mean of a picture, and its rays.
+fn picture(desk: &Desk, scene: &Scene, named: Named, seed: u64) -> Result<(f64, u64), DeskError> {
+    let by = named.with(scene.suggested.max_depth);
+    let options = options(desk, seed);
+    let rendered = render(scene, &by, &options, &desk.bar(named.name()));
+    if rendered.interrupted {
+        return Err(DeskError::Interrupted);
+    }
+    Ok((rendered.film.mean().0, rendered.rays.total()))
+}
+
+fn key(named: Named) -> String {
+    named.name().replace('-', "_")
+}

@@ -1,0 +1,97 @@
+//! Chapter 3, exercise 1: a caustic that is seen in a mirror. What is its expression, and which
+//! scene of the gallery has it?
+//!
+//! The light goes by way of mirrors or glass, `S+`, to one diffuse surface, `D`, and from there by
+//! way of mirrors or glass again, `S+`, to the eye: `LS+DS+E`. Whether a scene can have such paths
+//! is decided by its expression; how much light they bring is measured.
+
+use halfdisk::effects::language;
+use halfdisk::effects::words::words;
+use halfdisk::integrators::Path;
+use halfdisk::notation::Expression;
+use halfdisk::render::Options;
+use halfdisk::scene::gallery::{self, GALLERY};
+use std::error::Error;
+
+const MIRRORED: &str = "LS+DS+E";
+
+/// The scenes whose paths can be such ones.
+fn candidates(paths: &Expression) -> Result<Vec<&'static str>, Box<dyn Error>> {
+    let mut found = Vec::new();
+    for (name, _) in GALLERY {
+        let scene = gallery::load(name)?;
+        if let Some(all) = language::of_scene(&scene.inventory) {
+            let here = all.light_first().intersection(paths.light_first());
+            // Light that no walk from the eye finds is in no picture here.
+            let lost = language::out_of_reach(&scene.inventory);
+            let seen = scene.inventory.light_can_be_met() || lost.is_none();
+            if seen && !here.is_empty() {
+                found.push(*name);
+            }
+        }
+    }
+    Ok(found)
+}
+
+/// The share of these paths in a scene's light, and its standard error.
+fn share(name: &str, paths: &Expression, side: i64) -> Result<[f64; 2], Box<dyn Error>> {
+    let scene = gallery::load_with(name, |said| said.film.size = [side; 2])?;
+    let options = Options {
+        spp: 8,
+        ..Options::default()
+    };
+    let path = Path::new(scene.suggested.max_depth);
+    let words = words(&scene, &path, &options, 8);
+    let own = words.shares.iter();
+    let own = own.filter(|(word, _)| paths.light_first().accepts(&word.0));
+    let (mut light, mut squared_error) = (0.0, 0.0);
+    for (_, share) in own {
+        light += share.light.mean();
+        squared_error += share.light.std_error().powi(2);
+    }
+    Ok([light, squared_error.sqrt()].map(|x| x / words.total.mean()))
+}
+
+fn main() -> Result<(), Box<dyn Error>> {
+    let paths = MIRRORED.parse()?;
+    println!("scenes that may have {MIRRORED}:");
+    for name in candidates(&paths)? {
+        let [light, error] = share(name, &paths, 64)?.map(|x| 100.0 * x);
+        println!("  {name:<9} {light:.3} ± {error:.3} % of the light");
+    }
+    println!("to see one: halfdisk render spheres --paths '{MIRRORED}'");
+    Ok(())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use halfdisk::notation::Word;
+
+    #[test]
+    fn the_expression_says_what_it_should() {
+        let paths: Expression = MIRRORED.parse().unwrap();
+        for (word, inside) in [
+            ("LSDSE", true),
+            ("LSSDSSE", true),
+            ("LSDE", false),
+            ("LDSE", false),
+            ("LSDDSE", false),
+            ("LSSE", false),
+        ] {
+            let word = Word::read(word).unwrap();
+            assert_eq!(paths.light_first().accepts(&word.0), inside, "{word}");
+        }
+    }
+
+    #[test]
+    fn the_room_with_two_spheres_has_it_and_the_one_with_blocks_has_not() {
+        let paths: Expression = MIRRORED.parse().unwrap();
+        let found = candidates(&paths).unwrap();
+        assert!(found.contains(&"spheres") && !found.contains(&"cornell"));
+        let [light, error] = share("spheres", &paths, 32).unwrap();
+        assert!(light > 4.0 * error, "{light} ± {error}");
+        let [light, _] = share("cornell", &paths, 16).unwrap();
+        assert_eq!(light, 0.0);
+    }
+}

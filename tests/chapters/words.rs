@@ -1,0 +1,112 @@
+//! The chapters about words for light, and what they say of pictures.
+
+use super::{check, number};
+use halfdisk::effects::language::{everything, of_lamps};
+use halfdisk::integrators::{Integrator, Named, Path, Restricted};
+use halfdisk::notation::Expression;
+use halfdisk::render::{Options, Picture, compare, render};
+use halfdisk::scene::{Scene, gallery};
+
+#[test]
+fn ch03_alphabet() {
+    let data = check(env!("CARGO_BIN_EXE_ch03-alphabet"), "ch03");
+    let value = |name: &str| number(&data, name, "value");
+    assert_eq!(value("by_hand"), 30.0);
+    assert!(value("sum_is_off_by") <= 1e-6);
+    for lamp in ["lamp", "point"] {
+        for named in [
+            "whitted",
+            "kajiya",
+            "which_ray",
+            "roulette",
+            "next_event",
+            "combine",
+            "path",
+        ] {
+            let name = format!("{lamp}_{named}");
+            let [value, exact, error] =
+                ["value", "exact", "error"].map(|p| number(&data, &name, p));
+            assert!(
+                (value - exact).abs() <= 4.4 * error + 1e-4,
+                "{name}: {value} ± {error} for {exact}"
+            );
+        }
+    }
+    // A walk that meets lamps by chance never meets a point, and says so.
+    assert_eq!(value("point_kajiya"), 0.0);
+    assert_eq!(value("point_kajiya_direct"), 0.0);
+    assert_eq!(value("point_path_caustic"), 0.0);
+    assert_eq!(value("lamp_path_caustic"), 1.0);
+    assert_eq!(value("lamp_whitted_bleeding"), 0.0);
+    // What it lacks is out of the noise's reach: a tree that had it would be noticed.
+    let lacks = number(&data, "lamp_path", "value") - value("lamp_whitted");
+    assert!(lacks > 8.0 * number(&data, "lamp_whitted", "error"));
+    for scene in ["cornell", "spheres", "caustic", "mixture"] {
+        let classes = [
+            "seen",
+            "seen_specular",
+            "direct",
+            "direct_specular",
+            "bleeding",
+            "caustic",
+        ];
+        let shares = classes.map(|class| value(&format!("{scene}_{class}")));
+        let sum: f64 = shares.iter().sum();
+        assert!((sum - 100.0).abs() < 1e-6, "{scene}: {sum}");
+    }
+    assert_eq!(value("cornell_caustic"), 0.0);
+    for surfaces in 1..=4 {
+        let missing = value(&format!("missing_{surfaces}"));
+        assert_eq!(missing, f64::from((1 << surfaces) - 2), "{surfaces}");
+    }
+}
+
+fn picture(scene: &Scene, by: &impl Integrator, seed: u64) -> Picture {
+    let options = Options {
+        spp: 256,
+        seed,
+        ..Options::default()
+    };
+    render(scene, by, &options, &()).film.picture()
+}
+
+/// The z score of the means of Whitted's picture and of the paths of an expression, and the mean
+/// squared z score of their pixels.
+fn apart(scene: &Scene, paths: &Expression) -> [f64; 2] {
+    let max_depth = scene.suggested.max_depth;
+    let whitted = picture(scene, &Named::Whitted.with(max_depth), 3);
+    let sum = Restricted {
+        path: Path::new(max_depth),
+        paths: paths.eye_first(),
+    };
+    let z = compare::z_scores(&whitted, &picture(scene, &sum, 4)).unwrap();
+    println!("{paths}: means {:+.2}, {:?}", z.of_means, z.squares.mean());
+    [z.of_means, z.squares.mean()]
+}
+
+#[test]
+fn s0_02_whitteds_picture_is_that_of_its_words() {
+    let scene = gallery::load_with("spheres", |said| said.film.size = [32, 32]).unwrap();
+    let own = of_lamps(Named::Whitted).unwrap();
+    let [means, squares] = apart(&scene, &own);
+    assert!(means.abs() <= 4.4, "{means}");
+    assert!((squares - 1.0).abs() < 0.15, "{squares}");
+    // A word too many, a class too few: noticed.
+    for wrong in ["L(D|G)?S*E|LDDE", "LD?E|LS+E"] {
+        let [_, squares] = apart(&scene, &wrong.parse().unwrap());
+        assert!(squares > 1.3, "{wrong}: {squares}");
+    }
+}
+
+#[test]
+fn s0_05_a_caustic_is_ls_plus_de_and_none_of_whitteds_words() {
+    let slides: Expression = "LSDE".parse().unwrap();
+    let caustic: Expression = "LS+DE".parse().unwrap();
+    assert!(caustic.light_first().includes(slides.light_first()));
+    assert!(!slides.light_first().includes(caustic.light_first()));
+    let whitted = of_lamps(Named::Whitted).unwrap();
+    let both = caustic.light_first().intersection(whitted.light_first());
+    assert!(both.is_empty(), "{:?}", both.shortest(3));
+    let all = everything();
+    assert!(all.light_first().includes(caustic.light_first()));
+}
