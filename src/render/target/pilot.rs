@@ -42,9 +42,10 @@ pub struct Prediction {
 const FIRST: u32 = 32;
 /// A pilot that takes this share of the render's samples has seen enough ...
 const LARGE: f64 = 0.5;
-/// ... and one of this many samples where it takes this share.
+/// ... and one of this many samples where it takes this share, and knows its own error so well, relatively.
 const LEAST: u32 = EVEN_SAMPLES;
 const LARGEST_SHARE: f64 = 0.25;
+const ROUGH: f64 = 0.03;
 /// One of twice as many, which has seen two runs of full length, may end at this share where its
 /// prediction is steady.
 const SMALLEST_SHARE: f64 = 1.0 / 16.0;
@@ -99,9 +100,9 @@ pub fn predict(
         let late = goal.time.is_some_and(|time| {
             2.0 * start.elapsed().as_secs_f64() > TIME_SHARE * time.as_secs_f64()
         });
-        let long = share >= LARGE || spp >= LEAST && share >= LARGEST_SHARE;
+        let long = spp >= LEAST && share >= LARGEST_SHARE && look.uncertainty < ROUGH;
         let sure = steady && spp >= 2 * LEAST;
-        if long || sure && share >= SMALLEST_SHARE || late {
+        if share >= LARGE || long || sure && share >= SMALLEST_SHARE || late {
             return Ok(prediction);
         }
         before = need;
