@@ -145,7 +145,7 @@ fn power_counts_what_is_sent() {
          [[lights]]\ndirectional = { direction = [0, -1, 0], irradiance = 5 }\n\
          [[objects]]\nemits = 3\nquad = { corner = [0, 0, 0], u = [2, 0, 0], v = [0, 0, 4] }\n\
          [[objects]]\nemits = 2\nsphere = { center = [1, 0, 2], radius = 0.5 }\n\
-         [[objects]]\nemits = 1\nbox = { min = [0, 0, 0], max = [2, 0.5, 4] }",
+         [[objects]]\nemits = 1\nbox = { min = [0, 1, 0], max = [2, 1.5, 4] }",
     );
     let power: Vec<f32> = all.lights.iter().map(|l| l.power(2.0)).collect();
     let expected = [8.0 * PI, 20.0 * PI, 24.0 * PI, 2.0 * PI * PI];
