@@ -283,7 +283,7 @@ fn check(row: &Row) -> Vec<String> {
 
 #[test]
 fn even_points_change_no_mean() {
-    // Replicates of 256 even points each: their means are independent.
+    // Replicates of 256 even points each, in runs of up to 64: their means are independent.
     for row in [integrating_sphere(), square(0.1, None)] {
         let integrator = Path::new(row.max_depth);
         let replicate = |pixel| -> f64 {
@@ -312,7 +312,7 @@ fn even_points_change_no_mean() {
             "variance of a mean of 256: {:.3e} for {promised:.3e}",
             even.variance()
         );
-        assert!(even.variance() < 0.7 * promised);
+        assert!(even.variance() < 0.85 * promised);
     }
 }
 
