@@ -154,7 +154,7 @@ fn stopped_it_keeps_the_replicates_that_are_complete() {
         let told = AtomicU64::new(0);
         measure(&scene, &methods, &DESIGN, &Impatient { told, patience })
     };
-    // Two halves of the reference, then six pictures for each replicate.
+    // Two halves of the reference, then two methods at three sizes for each replicate.
     let some = stopped(2 + 3 * 6 + 2).unwrap();
     assert_eq!((some.replicates, some.interrupted), (3, true));
     let list = PriceList::new(&scene, &some);

@@ -29,7 +29,7 @@ pub struct Prices {
 
 /// Measures and records all prices.
 pub fn work(desk: &mut Desk) -> Result<Prices, DeskError> {
-    let side = desk.choose(40, 16);
+    let side = desk.choose(36, 16);
     let scene = gallery::load_with("cornell", |said| said.film.size = [side; 2])?;
     // ANCHOR: measure
     let design = Design {

@@ -50,8 +50,7 @@ impl Design {
     #[must_use]
     pub fn within(self, seconds: f64, methods: &[Method]) -> Design {
         let references = 2.0 * (1.0 + f64::from(u8::from(methods.iter().any(Method::is_endless))));
-        // Quarters of quarters: all sizes together take 4/3 of the largest.
-        let pictures = methods.len() as f64 * (4.0 / 3.0 * f64::from(self.replicates) + STRIPS);
+        let pictures = methods.len() as f64 * (SIZES * f64::from(self.replicates) + STRIPS);
         let threads = rayon::current_num_threads() as f64;
         let all = references * f64::from(self.reference) / threads + pictures;
         Design {
@@ -61,6 +60,8 @@ impl Design {
     }
 }
 
+/// What all sizes cost together, with up to eight pictures of the small ones, in times of the largest.
+const SIZES: f64 = 2.6;
 /// What a method's pictures in the strips cost, in times of its largest picture.
 const STRIPS: f64 = 2.0;
 

@@ -8,7 +8,7 @@ use crate::render::{Progress, Rendered};
 use crate::scene::{RayCounts, Scene};
 use std::sync::Mutex;
 
-/// What one picture cost, and how wrong it is.
+/// What a picture cost, and how wrong it is: the mean of up to eight of a size.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Run {
     /// Mean squared relative error, without bias.
@@ -60,6 +60,9 @@ impl Measured {
         }
     }
 }
+
+/// The most pictures of a size in a replicate.
+const MOST_REPEATS: u32 = 8;
 
 /// Why nothing was measured.
 #[derive(Debug, thiserror::Error)]
@@ -145,20 +148,50 @@ fn replicate(
         for m in order(r, count) {
             let Runs { method, spp, .. } = &measured.methods[m];
             let Some(&samples) = spp.get(k) else { continue };
-            let seed = seed_of(design.seed, r, k, m);
-            let rendered = method.render(scene, samples, seed, watch);
-            if rendered.interrupted {
-                return None;
+            let largest = spp[spp.len() - 1];
+            let repeats = repeats(samples, largest);
+            let mut runs = Vec::new();
+            let mut pixels = None;
+            for repeat in 0..repeats {
+                let seed = seed_of(design.seed, r, [k, m, repeat as usize]);
+                let rendered = method.render(scene, samples, seed, watch);
+                if rendered.interrupted {
+                    return None;
+                }
+                let squares = measured.truth(method).squares(&rendered.film);
+                runs.push(run_of(&rendered, &squares));
+                if samples == largest {
+                    pixels = Some((rendered.film.picture().values, squares));
+                }
             }
-            let squares = measured.truth(method).squares(&rendered.film);
-            let run = run_of(&rendered, &squares);
-            let largest = k + 1 == spp.len();
-            let pixels = largest.then(|| (rendered.film.picture().values, squares));
-            rows[m].push((run, pixels));
-            watch.paid(f64::from(samples) / f64::from(spp[spp.len() - 1]));
+            rows[m].push((mean_of(&runs), pixels));
+            watch.paid(f64::from(repeats * samples) / f64::from(largest));
         }
     }
     Some(rows)
+}
+
+/// Pictures of a size in each replicate: of few samples one picture tells little, and costs little.
+fn repeats(spp: u32, largest: u32) -> u32 {
+    (largest / spp).clamp(1, MOST_REPEATS)
+}
+
+/// The mean of several pictures of a size.
+fn mean_of(runs: &[Run]) -> Run {
+    let n = runs.len().max(1) as f64;
+    let mean = |of: fn(&Run) -> f64| runs.iter().map(of).sum::<f64>() / n;
+    let count = |of: fn(&Run) -> u64| runs.iter().map(of).sum::<u64>() / runs.len().max(1) as u64;
+    Run {
+        square: mean(|run| run.square),
+        top_share: mean(|run| run.top_share),
+        seconds: mean(|run| run.seconds),
+        rays: RayCounts {
+            camera: count(|run| run.rays.camera),
+            secondary: count(|run| run.rays.secondary),
+            shadow: count(|run| run.rays.shadow),
+        },
+        non_finite: runs.iter().map(|run| run.non_finite).sum(),
+    }
 }
 
 /// Forwards, backwards, and a place further on every second time.
@@ -222,7 +255,7 @@ fn truth(
     let largest = base.and_then(|p| p.spp.last()).copied().unwrap_or(1);
     let spp = largest.saturating_mul(design.reference).min(1 << 20);
     let half = |number: usize| {
-        let seed = seed_of(design.seed, u32::MAX, usize::from(endless), number);
+        let seed = seed_of(design.seed, u32::MAX, [usize::from(endless), number, 0]);
         let rendered = method::reference(scene, endless, spp, seed, watch);
         watch.paid(f64::from(design.reference) / watch.threads);
         (!rendered.interrupted)
@@ -232,12 +265,12 @@ fn truth(
     Ok(Reference::new(&half(0)?, &half(1)?, spp))
 }
 
-/// A seed that no other picture has.
-fn seed_of(seed: u64, replicate: u32, size: usize, method: usize) -> u64 {
-    let picture = (method as u64) << 40 | (size as u64) << 32 | u64::from(replicate);
+/// A seed that no other picture has: at most 256 sizes, methods and repeats.
+fn seed_of(seed: u64, replicate: u32, place: [usize; 3]) -> u64 {
+    let place = place.iter().fold(0, |all, &part| all << 8 | part as u64);
     // An odd factor is a bijection; neighbouring seeds of a design stay far apart.
     seed.wrapping_mul(0x9e37_79b9_7f4a_7c15)
-        .wrapping_add(picture)
+        .wrapping_add(place << 32 | u64::from(replicate))
 }
 
 /// Tells how much of everything is paid, in thousandths of a method's largest picture.
@@ -252,10 +285,8 @@ impl<'a, P: Progress> Watch<'a, P> {
     fn new(progress: &'a P, planned: &[Planned], design: &Design, threads: usize) -> Self {
         let sum = |p: &Planned| {
             let largest = p.spp.last().copied().unwrap_or(1);
-            p.spp
-                .iter()
-                .map(|&n| f64::from(n) / f64::from(largest))
-                .sum::<f64>()
+            let paid = |&n: &u32| f64::from(n * repeats(n, largest)) / f64::from(largest);
+            p.spp.iter().map(paid).sum::<f64>()
         };
         let endless = planned.iter().any(|p| p.method.is_endless());
         let halves = 2.0 * (1.0 + f64::from(u8::from(endless)));
@@ -315,7 +346,9 @@ mod tests {
         for r in (0..20).chain([u32::MAX]) {
             for k in 0..6 {
                 for m in 0..9 {
-                    assert!(seen.insert(seed_of(1, r, k, m)));
+                    for repeat in 0..8 {
+                        assert!(seen.insert(seed_of(1, r, [k, m, repeat])));
+                    }
                 }
             }
         }
