@@ -38,7 +38,9 @@ fn every_unbiased_error_falls_as_one_over_the_root_of_its_rays() {
         match method.name {
             "whitted" | "clamped" => {
                 assert_eq!(method.verdict, Verdict::Biased, "{}", method.says());
-                assert!(bias.floor() > 0.05 && bias.square > 10.0 * bias.error);
+                assert!(bias.floor() > 0.05 && bias.mean < -0.02, "{bias:?}");
+                // It loses light, and far more than chance would.
+                assert!(bias.mean < -8.0 * bias.mean_error, "{bias:?}");
                 assert!(method.says().contains("levels out"), "{}", method.says());
                 assert_eq!(method.times[2], Reach::Never);
                 assert!(method.ratios.iter().all(Option::is_none), "no price");

@@ -171,7 +171,7 @@ fn equal_time(
     measured: &Measured,
     list: &PriceList,
 ) -> Result<u64, DeskError> {
-    let seconds = desk.choose(0.04, 0.004);
+    let seconds = desk.choose(0.1, 0.004);
     let (mut pictures, mut errors, mut rays) = (Vec::new(), Vec::new(), 0);
     for (priced, runs) in list.methods.iter().zip(&measured.methods) {
         let (spp, seed) = (affordable(priced, seconds), !desk.options.seed);

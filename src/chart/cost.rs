@@ -38,7 +38,7 @@ pub fn cost_chart(title: impl Into<String>, list: &PriceList, against: Against) 
 fn curves(method: &Priced, against: Against) -> Vec<Curve> {
     let place = |size: &Size| match against {
         Against::Rays => size.rays,
-        Against::Seconds => size.seconds,
+        Against::Seconds => size.mean_seconds,
     };
     // An error of zero has no place on a logarithmic axis.
     let shown: Vec<&Size> = method.sizes.iter().filter(|s| s.error > 0.0).collect();

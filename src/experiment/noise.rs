@@ -74,7 +74,7 @@ pub fn falls(runs_each: u32, truth: f64, block: impl Fn(u32) -> f64 + Sync) -> F
 }
 
 // ANCHOR: squares
-/// From the distances of 21 blocks: the mean squares of one, of two neighbours, of all but one, of all.
+/// Mean squares of the distances: of one block, of two, of all but one, of all.
 fn squares(off: &[f64]) -> Squares {
     let n = off.len() as f64;
     let sum: f64 = off.iter().sum();

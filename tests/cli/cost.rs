@@ -41,11 +41,9 @@ fn a_page_charts_pictures_and_numbers() {
         .skip(1)
         .filter_map(|s| s.split('"').next())
         .collect();
-    assert_eq!(
-        shown.len(),
-        2 + 2 * 3 + 2 * 2,
-        "two charts, and pictures with their errors"
-    );
+    // Two charts; of each method a picture and its error in equal time, and of those that reach it
+    // the same in equal error.
+    assert!([2 + 6 + 4, 2 + 6 + 6].contains(&shown.len()), "{shown:?}");
     assert!(
         shown.iter().all(|file| made.join(file).exists()),
         "{shown:?}"

@@ -9,13 +9,14 @@ use crate::chart::{Against, ChartError, cost_chart};
 use crate::desk::{Bar, on_ctrl_c};
 use crate::experiment::cost::strip::{Shown, affordable, needed, show};
 use crate::experiment::cost::{
-    ALL, Design, Measured, Method, Nothing, PriceList, Verdict, measure,
+    ALL, Budget, Design, Measured, Method, Nothing, PriceList, Verdict, measure,
 };
 use crate::output::{Display, Provenance, png_bytes};
 use crate::render::{Film, Progress};
 use crate::scene::{Scene, gallery};
 use clap::Args;
 use std::path::PathBuf;
+use std::sync::atomic::Ordering;
 
 /// Measure what accuracy costs: error against seconds and rays for every method.
 ///
@@ -82,12 +83,15 @@ fn budget(text: &str) -> Result<f64, String> {
     }
 }
 
+/// Names of methods that cannot render a scene, and why.
+type LeftOut = Vec<(&'static str, &'static str)>;
+
 /// What a run leaves behind.
 struct Report {
     list: PriceList,
     /// Size that a picture of the scene has.
     full: [u32; 2],
-    left_out: Vec<(&'static str, &'static str)>,
+    left_out: LeftOut,
     equal_time: Vec<Shown>,
     equal_error: Vec<Shown>,
     /// The error that the pictures of equal error should have.
@@ -148,20 +152,15 @@ impl Cost {
         if measured.interrupted {
             let (done, all) = (measured.replicates, self.replicates);
             eprintln!("interrupted: {done} of {all} replicates were finished");
-            return Err(Stop::Interrupted);
         }
-        Ok(())
+        match stop.load(Ordering::Relaxed) {
+            true => Err(Stop::Interrupted),
+            false => Ok(()),
+        }
     }
 
     /// The methods that were asked for and can render the scene, and why others cannot.
-    #[expect(
-        clippy::type_complexity,
-        reason = "a pair of lists, named where it is used"
-    )]
-    fn methods(
-        &self,
-        scene: &Scene,
-    ) -> Result<(Vec<Method>, Vec<(&'static str, &'static str)>), Stop> {
+    fn methods(&self, scene: &Scene) -> Result<(Vec<Method>, LeftOut), Stop> {
         let named: Vec<Method> = self
             .methods
             .iter()
@@ -195,8 +194,8 @@ impl Cost {
         bar: &Bar,
     ) -> Result<(), Stop> {
         let seconds = match design.budget {
-            crate::experiment::cost::Budget::Seconds(seconds) => seconds,
-            crate::experiment::cost::Budget::Rays(_) => 1.0,
+            Budget::Seconds(seconds) => seconds,
+            Budget::Rays(_) => 1.0,
         };
         let pool = rayon::ThreadPoolBuilder::new()
             .num_threads(usize::from(self.threads))

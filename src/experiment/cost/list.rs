@@ -86,6 +86,8 @@ pub struct Size {
     pub rays: f64,
     /// Median seconds of a picture.
     pub seconds: f64,
+    /// Mean seconds, through which the line goes.
+    pub mean_seconds: f64,
     /// Between the quartiles of the seconds.
     pub spread: f64,
     /// Root mean squared relative error, without bias; 0 where its square came out below zero.
@@ -213,15 +215,16 @@ fn size(runs: &Runs, k: usize) -> Size {
     let of = |f: fn(&Run) -> f64| runs.runs.iter().map(move |row| f(&row[k]));
     let square: Estimate = of(|run| run.square).collect();
     let error = square.mean().max(0.0).sqrt();
-    let mut seconds: Vec<f64> = of(|run| run.seconds).collect();
-    seconds.sort_by(f64::total_cmp);
-    let at = |share: f64| seconds[(share * (seconds.len() - 1) as f64).round() as usize];
+    let mut sorted: Vec<f64> = of(seconds).collect();
+    sorted.sort_by(f64::total_cmp);
+    let at = |share: f64| sorted[(share * (sorted.len() - 1) as f64).round() as usize];
     Size {
         spp: runs.spp[k],
         rays: of(|run| run.rays.total() as f64)
             .collect::<Estimate>()
             .mean(),
         seconds: at(0.5),
+        mean_seconds: of(seconds).collect::<Estimate>().mean(),
         spread: at(0.75) - at(0.25),
         error,
         // The square root's error to first order.

@@ -97,6 +97,7 @@ mod tests {
             spp: 1 << (2 * k),
             rays: f64::from(1 << (2 * k)),
             seconds: 0.1 * f64::from(1 << (2 * k)),
+            mean_seconds: 0.1 * f64::from(1 << (2 * k)),
             spread: 0.0,
             error: 0.4 / f64::from(1 << k),
             error_error: 0.001,
