@@ -198,35 +198,3 @@ fn s1_06_the_second_thousand_is_worth_fifty_times_the_twenty_first() {
         assert!(fall.error < 0.3 * widest, "{name}: {fall:?}");
     }
 }
-
-#[test]
-#[ignore]
-fn scan() {
-    let scene = small("cornell");
-    let methods: Vec<Method> = ALL
-        .into_iter()
-        .filter(|m| m.may_be_biased.is_none())
-        .collect();
-    for seed in 1..13 {
-        let (_, list) = run(&scene, &methods, &Design { seed, ..DESIGN });
-        let words: Vec<String> = list
-            .methods
-            .iter()
-            .map(|m| {
-                let fit = m.against_rays.unwrap_or_else(|why| match why {
-                    halfdisk::stats::slope::Insufficient::Wide(fit) => fit,
-                    _ => panic!(),
-                });
-                let bias = m.bias.unwrap();
-                format!(
-                    "{:+.2}/{:.2}/{:+.1}/{:+.1}",
-                    (fit.line.slope + 0.5) / fit.half_width,
-                    fit.half_width,
-                    bias.square / bias.error,
-                    bias.mean / bias.mean_error
-                )
-            })
-            .collect();
-        eprintln!("{seed}: {}", words.join("  "));
-    }
-}
