@@ -31,16 +31,20 @@ fn run(program: &str, id: &str) -> (tempfile::TempDir, Value) {
     (folder, data)
 }
 
-/// Hides what is different on every machine: numbers with `time_` in their names, and figures whose
-/// names begin so.
+/// True for what differs from run to run.
+fn is_timed(name: &str) -> bool {
+    name.contains("time_") || name.starts_with("seconds")
+}
+
+/// Hides what was timed: numbers, and what is said about figures.
 fn mask(data: &mut Value) {
     for (name, number) in data["numbers"].as_object_mut().unwrap() {
-        if name.contains("time_") {
+        if is_timed(name) {
             *number = Value::from("masked");
         }
     }
     for figure in data["figures"].as_array_mut().unwrap() {
-        if figure["file"].as_str().unwrap().starts_with("time_") {
+        if is_timed(figure["file"].as_str().unwrap()) {
             figure["caption"] = Value::from("masked");
         }
     }
@@ -80,7 +84,7 @@ fn check(program: &str, id: &str) -> Value {
     for figure in data["figures"].as_array().unwrap() {
         let file = figure["file"].as_str().unwrap();
         let path = folder.join(file);
-        if file.starts_with("time_") {
+        if is_timed(file) {
             assert!(path.exists(), "{file}");
             continue;
         }

@@ -22,6 +22,15 @@ pub fn short(class: Class) -> &'static str {
     }
 }
 
+/// How it is called in the legend.
+fn label(class: Class) -> &'static str {
+    match class {
+        Class::Bleeding => "bleeding",
+        Class::Caustic => "caustics",
+        _ => class.text(),
+    }
+}
+
 /// The share of each class in a scene's light, as a group of bars.
 pub fn shares(desk: &mut Desk, scene: &str, words: &Words) -> BarGroup {
     let mut bars = Vec::new();
@@ -34,9 +43,9 @@ pub fn shares(desk: &mut Desk, scene: &str, words: &Words) -> BarGroup {
         };
         desk.number(&format!("{scene}_{}", short(class)), number);
         bars.push(Bar {
-            label: class.name().to_owned(),
+            label: label(class).to_owned(),
             value: share,
-            error: Some(error),
+            error: (error > 0.0).then_some(error),
         });
     }
     BarGroup {
@@ -92,9 +101,10 @@ pub fn strip(desk: &mut Desk) -> Result<Drawn, DeskError> {
         for (pixel, part) in sum.iter_mut().zip(rendered.film.picture().values) {
             (0..3).for_each(|c| pixel[c] += part[c]);
         }
-        let used = rendered.rays.total() as f64 / whole.rays.total() as f64;
+        let used = 100.0 * rendered.rays.total() as f64 / whole.rays.total() as f64;
         let says = format!("rays for {} alone, of those for all", class.text());
-        desk.value(&format!("rays_{}", short(class)), &says, used);
+        let number = Number::new(&says, used.round()).unit("%");
+        desk.number(&format!("rays_{}", short(class)), number);
         rays += rendered.rays.total();
         if finds(Named::Whitted, class, &scene.inventory) == Finds::All {
             found += rendered.film.mean().0 / whole.film.mean().0;

@@ -105,11 +105,9 @@ fn short_words(desk: &mut Desk, scene: &str, words: &Words) {
         };
         desk.number(&format!("{scene}_{word}"), number);
     }
-    desk.value(
-        &format!("{scene}_longer"),
-        &format!("{scene}: longer words"),
-        longer,
-    );
+    let says = format!("{scene}: longer words");
+    let number = Number::new(&says, (100.0 * longer).round() / 100.0).unit("%");
+    desk.number(&format!("{scene}_longer"), number);
     desk.value(
         &format!("{scene}_words"),
         &format!("{scene}: different words"),

@@ -24,6 +24,7 @@ const CHAPTERS: &[(&str, &str)] = &[
     ("ch13", "ch13-combine"),
     ("ch14", "ch14-cost"),
     ("ch17", "ch17-hard-cases"),
+    ("ch18", "ch18-what-the-scene-asks"),
 ];
 
 /// Run the chapters in order; write the gallery page and the ledger.

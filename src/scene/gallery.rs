@@ -17,6 +17,7 @@ pub const GALLERY: &[(&str, &str)] = &[
         "spheres",
         include_str!("../../examples/scenes/spheres.toml"),
     ),
+    ("final", include_str!("../../examples/scenes/final.toml")),
     (
         "caustic",
         include_str!("../../examples/scenes/caustic.toml"),

@@ -61,6 +61,56 @@ fn ch03_alphabet() {
     }
 }
 
+#[test]
+fn ch18_what_the_scene_asks() {
+    let data = check(env!("CARGO_BIN_EXE_ch18-what-the-scene-asks"), "ch18");
+    let value = |name: &str| number(&data, name, "value");
+    let asked = ["area_lights", "diffuse", "specular", "bleeding", "caustics"];
+    for effect in asked {
+        assert_eq!(value(&format!("asks_{effect}")), 1.0, "{effect}");
+        // What is simulated is worth something, beyond all noise.
+        let [worth, error] =
+            ["value", "error"].map(|part| number(&data, &format!("worth_{effect}"), part));
+        assert!(worth > 4.4 * error, "{effect}: {worth} ± {error}");
+    }
+    for effect in ["point_lights", "sky", "gloss", "lens", "motion"] {
+        assert_eq!(value(&format!("asks_{effect}")), 0.0, "{effect}");
+    }
+    // What is not there costs no ray and changes no bit.
+    for scene in ["cornell", "final", "caustic", "gloss", "veach", "mesh"] {
+        assert_eq!(value(&format!("differ_{scene}")), 0.0, "{scene}");
+        assert_eq!(value(&format!("rays_all_{scene}")), 1.0, "{scene}");
+    }
+    assert_eq!(value("point_lost"), 0.0);
+    assert_eq!(value("point_has"), 1.0);
+    assert_eq!(value("point_kajiya"), 0.0);
+    let caustics = value("ball_caustics");
+    assert!(caustics > 4.0 * number(&data, "ball_caustics", "error"));
+    assert!((value("share_sum") - 1.0).abs() <= 1e-6);
+}
+
+/// What the command answers.
+fn answer(arguments: &[&str]) -> String {
+    let output = std::process::Command::new(env!("CARGO_BIN_EXE_halfdisk"))
+        .args(arguments)
+        .current_dir(env!("CARGO_MANIFEST_DIR"))
+        .output()
+        .unwrap();
+    assert!(output.status.success());
+    String::from_utf8(output.stdout).unwrap()
+}
+
+#[test]
+fn the_page_shows_what_the_command_answers() {
+    let page = include_str!("../../book/src/ch18-what-the-scene-asks.md");
+    let point = "chapters/ch18_what_the_scene_asks/point.toml";
+    for scene in ["final", point] {
+        let report = answer(&["effects", scene]);
+        assert!(page.contains(&report), "{scene} is now\n{report}");
+    }
+    assert!(!page.contains(&answer(&["effects", "cornell"])));
+}
+
 fn picture(scene: &Scene, by: &impl Integrator, seed: u64) -> Picture {
     let options = Options {
         spp: 256,

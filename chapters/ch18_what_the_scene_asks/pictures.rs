@@ -1,0 +1,93 @@
+//! The final scene, whole and class by class.
+
+use crate::{FINAL, load};
+use halfdisk::desk::{Desk, DeskError, Number};
+use halfdisk::effects::language::{Class, Finds, finds};
+use halfdisk::integrators::{Integrator, Named, Path, Restricted};
+use halfdisk::render::{Options, Rendered, render};
+use halfdisk::sampling::stream::Sampler;
+use halfdisk::scene::Scene;
+
+/// What the pictures cost.
+pub struct Drawn {
+    /// Rays traced.
+    pub rays: u64,
+    /// Variance of one sample of the picture.
+    pub variance: f64,
+    /// Rays of one of its samples.
+    pub per_sample: f64,
+}
+
+/// How a class is called in numbers and files.
+fn short(class: Class) -> &'static str {
+    match class {
+        Class::Seen => "seen",
+        Class::SeenSpecular => "seen_specular",
+        Class::Direct => "direct",
+        Class::DirectSpecular => "direct_specular",
+        Class::Bleeding => "bleeding",
+        Class::Caustic => "caustic",
+    }
+}
+
+/// Paints them.
+pub fn work(desk: &mut Desk) -> Result<Drawn, DeskError> {
+    let scene = load(FINAL, desk.choose([160; 2], [48; 2]))?;
+    let path = Path::new(scene.suggested.max_depth);
+    let whole = paint(desk, &scene, desk.spp(128, 8), &path)?;
+    let caption =
+        "The final room: a mirror, glass, colours that bleed, and light that glass gathers.";
+    desk.picture("image.png", caption, &whole.film, &scene)?;
+
+    let scene = load(FINAL, desk.choose([96; 2], [32; 2]))?;
+    let spp = desk.spp(64, 8);
+    let all = paint(desk, &scene, spp, &path)?;
+    let total = all.film.mean().0;
+    let mut rays = whole.rays.total() + all.rays.total();
+    let mut sum = 0.0;
+    for class in Class::ALL {
+        if finds(Named::Path, class, &scene.inventory) == Finds::Absent {
+            continue;
+        }
+        let expression = class.expression();
+        let paths = expression.eye_first();
+        let part = paint(desk, &scene, spp, &Restricted { path, paths })?;
+        let caption = format!("{}: {}.", class.text(), class.name());
+        let name = short(class);
+        desk.picture(&format!("{name}.png"), &caption, &part.film, &scene)?;
+        let (mean, error) = part.film.mean();
+        let number = Number {
+            error: Some(100.0 * error / total),
+            ..Number::new(&format!("share of {}", class.text()), 100.0 * mean / total).unit("%")
+        };
+        desk.number(&format!("share_{name}"), number);
+        sum += mean / total;
+        rays += part.rays.total();
+    }
+    let says = "the sum of the classes, over the whole";
+    desk.known("share_sum", says, sum, 1.0);
+    Ok(Drawn {
+        rays,
+        variance: whole.film.sample_variance(),
+        per_sample: whole.rays.total() as f64 / whole.rays.camera as f64,
+    })
+}
+
+fn paint(
+    desk: &Desk,
+    scene: &Scene,
+    spp: u32,
+    by: &impl Integrator,
+) -> Result<Rendered, DeskError> {
+    let options = Options {
+        spp,
+        seed: desk.options.seed,
+        sampler: Sampler::Sobol,
+        ..Options::default()
+    };
+    let rendered = render(scene, by, &options, &desk.bar("final"));
+    if rendered.interrupted {
+        return Err(DeskError::Interrupted);
+    }
+    Ok(rendered)
+}

@@ -1,0 +1,108 @@
+//! What a scene calls for, by reading it.
+
+use crate::FINAL;
+use halfdisk::desk::{Desk, DeskError};
+use halfdisk::effects::language::{Class, of_scene, out_of_reach};
+use halfdisk::effects::plan;
+use halfdisk::effects::words::words;
+use halfdisk::integrators::{Named, Path, Restricted};
+use halfdisk::render::{Options, render};
+use halfdisk::scene::description::{Color, Description, Object};
+use halfdisk::scene::read::Source;
+use halfdisk::scene::{Scene, SceneError, gallery};
+use halfdisk::stats::Estimate;
+use std::f64::consts::PI;
+
+/// One line for each effect.
+pub fn of_final(desk: &mut Desk) -> Result<(), DeskError> {
+    let scene = gallery::load(FINAL)?;
+    // ANCHOR: plan
+    let plan = plan::plan(&scene);
+    for line in &plan.lines {
+        let name = line.effect.name();
+        let says = format!("{name}: {}", line.reason);
+        let simulated = f64::from(u8::from(line.simulated));
+        desk.value(
+            &format!("asks_{}", name.replace('-', "_")),
+            &says,
+            simulated,
+        );
+    }
+    // ANCHOR_END: plan
+    let simulated = plan.lines.iter().filter(|line| line.simulated).count();
+    desk.value("asks", "effects that are simulated", simulated as f64);
+    desk.value("effects", "effects there are", plan.lines.len() as f64);
+    desk.say(&format!("light paths: {}", plan.paths.unwrap_or_default()));
+    Ok(())
+}
+
+/// A point shines through glass: light that is there, and that every integrator reads as 0.
+pub fn point_through_glass(desk: &mut Desk) -> Result<(), DeskError> {
+    let scene = load(|_| {})?;
+    let lost = out_of_reach(&scene.inventory)
+        .ok_or_else(|| DeskError::Missing("the point's light is within reach".to_owned()))?;
+    let options = Options {
+        spp: desk.choose(64, 16),
+        seed: desk.options.seed,
+        ..Options::default()
+    };
+    let path = Path::new(scene.suggested.max_depth);
+    let paths = lost.eye_first();
+    let read = render(&scene, &Restricted { path, paths }, &options, &()).film;
+    let says = format!("point through glass: the brightest pixel of {lost}");
+    desk.known("point_lost", &says, read.max(), 0.0);
+    let found = of_scene(&scene.inventory);
+    let shares = found.is_some_and(|all| all.light_first().includes(lost.light_first()));
+    desk.value(
+        "point_has",
+        "its paths are among the scene's",
+        f64::from(u8::from(shares)),
+    );
+    // Walks that meet lamps by chance read 0 everywhere, and the others agree without it.
+    let kajiya = render(&scene, &Named::Kajiya.with(12), &options, &()).film;
+    let says = "point through glass: the brightest pixel of kajiya";
+    desk.known("point_kajiya", says, kajiya.max(), 0.0);
+
+    // The same light from a small ball is found.
+    let radius = 0.2;
+    let scene = load(|said| ball(said, radius))?;
+    let mut share = Estimate::new();
+    for seed in 0..desk.choose(16, 8) {
+        let options = Options { seed, ..options };
+        let words = words(&scene, &path, &options, 1);
+        let caustics = Class::Caustic.expression();
+        let own = words.shares.iter();
+        let own = own.filter(|(word, _)| caustics.light_first().accepts(&word.0));
+        let light: f64 = own.map(|(_, share)| share.light.mean()).sum();
+        share.add(100.0 * light / words.total.mean());
+    }
+    let says = "a ball in its place: caustics, percent of the light";
+    desk.estimate("ball_caustics", says, &share, None);
+    Ok(())
+}
+
+fn load(change: impl FnOnce(&mut Description)) -> Result<Scene, SceneError> {
+    let source = Source {
+        file: "point.toml",
+        text: include_str!("point.toml"),
+    };
+    gallery::from_text(source, None, change)
+}
+
+/// A ball of the same power in the point's place.
+fn ball(said: &mut Description, radius: f64) {
+    for point in said.lights.drain(..).filter_map(|light| light.point) {
+        let radiance = point.intensity.0.map(|i| i / (PI * radius * radius));
+        let Some(mut object) = said.objects.iter().find(|o| o.sphere.is_some()).cloned() else {
+            return;
+        };
+        if let Some(sphere) = &mut object.sphere {
+            (sphere.center, sphere.radius) = (point.position, radius);
+        }
+        said.objects.push(Object {
+            material: None,
+            emits: Some(Color(radiance)),
+            ..object
+        });
+    }
+}

@@ -1,0 +1,132 @@
+//! What effects are worth, and what absent ones cost where they are not left out.
+
+use crate::{FINAL, load};
+use halfdisk::chart::{Bar, BarChart, BarGroup};
+use halfdisk::desk::{Desk, DeskError, Number};
+use halfdisk::effects::measure::{Difference, Setup, difference};
+use halfdisk::effects::without::Without;
+use halfdisk::integrators::Path;
+use halfdisk::render::{Film, Options, render};
+use halfdisk::scene::{Scene, gallery};
+
+/// Scenes that lack something.
+const SCENES: [&str; 6] = ["cornell", FINAL, "caustic", "gloss", "veach", "mesh"];
+
+/// Leaves out each effect that the final scene calls for.
+pub fn worth(desk: &mut Desk) -> Result<(), DeskError> {
+    let side = desk.choose(40, 24);
+    let scene = load(FINAL, [side; 2])?;
+    let (spp, rounds) = desk.choose((8, 10), (2, 4));
+    let with = Setup {
+        scene: scene.clone(),
+        wanted: None,
+    };
+    for effect in scene.inventory.effects().iter() {
+        let leave: Without = [effect].into_iter().collect();
+        let without = Setup {
+            scene: gallery::load_with(FINAL, |said| {
+                said.film.size = [i64::from(side); 2];
+                leave.change(said);
+            })?,
+            wanted: leave.restrict(None),
+        };
+        let found = difference(&with, &without, spp, rounds);
+        let name = effect.name().replace('-', "_");
+        let says = format!("without {}: light that is missing", effect.name());
+        let number = Number {
+            error: Some(100.0 * found.share_error),
+            ..Number::new(&says, 100.0 * found.share).unit("%")
+        };
+        desk.number(&format!("worth_{name}"), number);
+        let says = format!("without {}: mean squared relative error", effect.name());
+        let number = Number {
+            error: Some(found.rel_mse_error),
+            ..Number::new(&says, found.rel_mse)
+        };
+        desk.number(&format!("wrong_{name}"), number);
+        let says = format!("without {}: rays with, over rays without", effect.name());
+        desk.value(&format!("rays_{name}"), &says, two_digits(found.rays));
+        time(desk, &name, &found);
+    }
+    Ok(())
+}
+
+/// Leaves every absent effect at work, at no strength.
+pub fn absent(desk: &mut Desk) -> Result<(), DeskError> {
+    let (spp, rounds) = desk.choose((4, 16), (1, 4));
+    let mut groups = Vec::new();
+    for name in SCENES {
+        let size = desk.choose([48; 2], [16; 2]);
+        // ANCHOR: absent
+        let plain = load(name, size)?;
+        let all_on = plain.clone().with_all_effects();
+        let differ = differing_pixels(desk, &plain, &all_on);
+        // ANCHOR_END: absent
+        let setup = |scene: &Scene| Setup {
+            scene: scene.clone(),
+            wanted: None,
+        };
+        let found = difference(&setup(&all_on), &setup(&plain), spp, rounds);
+        let says = format!("{name}, every effect at work: pixels that differ");
+        desk.known(&format!("differ_{name}"), &says, differ as f64, 0.0);
+        let says = format!("{name}, every effect at work: rays, of those of the plan");
+        desk.known(&format!("rays_all_{name}"), &says, found.rays, 1.0);
+        time(desk, &format!("all_{name}"), &found);
+        let [ratio, low, high] = found.time();
+        groups.push(BarGroup {
+            name: name.to_owned(),
+            bars: vec![Bar {
+                label: String::new(),
+                value: 100.0 * (ratio - 1.0),
+                error: Some(50.0 * (high - low)),
+            }],
+        });
+    }
+    let chart = BarChart {
+        title: "The price of effects that are not there".to_owned(),
+        x_label: "scene".to_owned(),
+        y_label: "more time than by the plan, percent".to_owned(),
+        groups,
+        ..BarChart::default()
+    };
+    let caption = "The same picture, with every effect at work and with those that the scene calls \
+                   for: how much longer it takes, with the half of the 95 % interval.";
+    desk.figure("seconds_absent.svg", caption, chart.to_svg()?)
+}
+
+/// Pixels that are not the same in both, to the last bit.
+fn differing_pixels(desk: &Desk, a: &Scene, b: &Scene) -> usize {
+    let film = |scene: &Scene| -> Film {
+        let options = Options {
+            spp: 4,
+            seed: desk.options.seed,
+            ..Options::default()
+        };
+        let path = Path::new(scene.suggested.max_depth);
+        render(scene, &path, &options, &()).film
+    };
+    let (a, b) = (film(a), film(b));
+    let pairs = a.pixels().iter().zip(b.pixels());
+    pairs.filter(|(p, q)| p != q).count()
+}
+
+/// A ratio of times with its interval; it differs from run to run.
+fn time(desk: &mut Desk, name: &str, found: &Difference) {
+    let [ratio, low, high] = found.time();
+    desk.value(
+        &format!("seconds_{name}"),
+        "  ratio of the times",
+        two_digits(ratio),
+    );
+    desk.value(&format!("seconds_{name}_low"), "  from", two_digits(low));
+    desk.value(
+        &format!("seconds_{name}_high"),
+        "  to, with 95 %",
+        two_digits(high),
+    );
+}
+
+/// To two digits after the point.
+pub fn two_digits(x: f64) -> f64 {
+    (100.0 * x).round() / 100.0
+}
