@@ -9,7 +9,7 @@ use crate::chart::{Against, ChartError, cost_chart};
 use crate::desk::{Bar, on_ctrl_c};
 use crate::experiment::cost::strip::{Shown, affordable, needed, show};
 use crate::experiment::cost::{
-    ALL, Budget, Design, Measured, Method, Nothing, PriceList, Verdict, measure,
+    ALL, BASE, Budget, Design, Measured, Method, Nothing, PriceList, Priced, Verdict, measure,
 };
 use crate::output::{Display, Provenance, png_bytes};
 use crate::render::{Film, Progress};
@@ -202,15 +202,7 @@ impl Cost {
             .build();
         let pool =
             pool.map_err(|e| Stop::Failure(format!("the threads cannot be started: {e}")))?;
-        // What the most expensive unbiased method reaches in that time, the others reach, too.
-        let unbiased = report
-            .list
-            .methods
-            .iter()
-            .filter(|m| m.verdict != Verdict::Biased);
-        report.error = unbiased
-            .filter_map(|m| m.sizes.last().map(|s| s.error))
-            .fold(0.0, f64::max);
+        report.error = common_error(&report.list);
         let count = 2 * measured.methods.len() as u64;
         for (i, (priced, runs)) in report
             .list
@@ -294,6 +286,17 @@ impl Cost {
         }
         Ok(folder)
     }
+}
+
+/// An error that all unbiased methods can show: that of the base's second largest pictures, or, where it
+/// would cost another too much, a quarter of that one's smallest.
+fn common_error(list: &PriceList) -> f64 {
+    let unbiased = || list.methods.iter().filter(|m| m.verdict != Verdict::Biased);
+    let smallest = |m: &Priced| m.sizes.last().map_or(0.0, |s| s.error);
+    let worst = unbiased().map(smallest).fold(0.0, f64::max);
+    let base = list.find(BASE).or(unbiased().next());
+    let second = base.and_then(|m| m.sizes.iter().rev().nth(1));
+    second.map_or(worst, |size| size.error.max(0.25 * worst))
 }
 
 /// The same shape with at most [`SIDE`] pixels to a side.

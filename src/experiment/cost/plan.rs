@@ -63,7 +63,7 @@ impl Design {
 /// What all sizes cost together, with up to eight pictures of the small ones, in times of the largest.
 const SIZES: f64 = 2.6;
 /// What a method's pictures in the strips cost, in times of its largest picture.
-const STRIPS: f64 = 2.0;
+const STRIPS: f64 = 4.0;
 
 /// A method, and the samples for each pixel that it is given.
 #[derive(Clone, Debug, PartialEq)]
