@@ -1,6 +1,6 @@
 //! Passes over tiles over threads.
 
-use super::target::{Prediction, Reached};
+use super::progress::Progress;
 use super::watch::{Faults, Watch};
 use super::{BadSample, Film, Pixel};
 use crate::geometry::Ray;
@@ -36,26 +36,6 @@ impl Default for Options {
             fixed: &[],
             tile: 16,
         }
-    }
-}
-
-/// What is told while a render runs, and how it is stopped.
-pub trait Progress: Sync {
-    /// `done` of `total` samples of all pixels are finished.
-    fn tell(&self, done: u64, total: u64);
-    /// True to stop soon and keep what is there.
-    fn stop(&self) -> bool;
-    /// A pilot says what a render to a goal will take.
-    fn predicted(&self, _: &Prediction) {}
-    /// A render to a goal got so far.
-    fn reached(&self, _: &Reached) {}
-}
-
-/// Nobody watches and nobody stops.
-impl Progress for () {
-    fn tell(&self, _: u64, _: u64) {}
-    fn stop(&self) -> bool {
-        false
     }
 }
 

@@ -8,11 +8,14 @@ pub mod accuracy;
 pub mod compare;
 mod film;
 mod film_loop;
+mod goal;
 mod picture;
+mod progress;
 pub mod target;
 mod watch;
 
 pub use film::{BadSample, Film, Pixel};
-pub use film_loop::{Options, Progress, Rendered, Session, camera_sample, render};
+pub use film_loop::{Options, Rendered, Session, camera_sample, render};
 pub use picture::Picture;
+pub use progress::Progress;
 pub use watch::{Faults, too_bright};

@@ -13,31 +13,20 @@
 //! first rule, 2 % with such extensions, and not at all by the pilot alone; of ten thousand pixels at
 //! 2 %, that would be less than a millionth.
 
-use super::accuracy::{Accuracy, Measure};
+use super::accuracy::Accuracy;
 use super::{Options, Progress, Rendered, Session};
 use crate::integrators::Integrator;
 use crate::sampling::stream::Sampler;
 use crate::scene::Scene;
-use serde::Serialize;
-use std::time::{Duration, Instant};
+use std::time::Instant;
 
 mod pilot;
 mod words;
 mod worth;
 
-pub use pilot::{Pilot, Prediction, pilot_seed, predict};
+pub use super::goal::{Goal, Pilot, Prediction, Reached, StoppedBy};
+pub use pilot::{pilot_seed, predict};
 pub use words::{percent, seconds};
-
-/// What is asked of a render.
-#[derive(Clone, Copy, Debug, Default)]
-pub struct Goal {
-    /// The relative error it should reach (see [`accuracy`](super::accuracy)).
-    pub error: Option<f64>,
-    /// How the errors of all pixels become one number.
-    pub measure: Measure,
-    /// The time it may take, pilot included.
-    pub time: Option<Duration>,
-}
 
 /// The most samples a pixel may get.
 pub const MOST_SAMPLES: u32 = 1 << 24;
@@ -49,36 +38,6 @@ const LONGEST: u32 = 4;
 const LOOK: f64 = 0.5;
 /// ... and samples before the first.
 const FIRST_LOOK: u32 = 16;
-
-/// How far a render got.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
-pub struct Reached {
-    /// Samples of each pixel.
-    pub spp: u32,
-    /// Seconds since its first sample, without the pilot's.
-    pub seconds: f64,
-    /// Its relative error: by its own account, or, of less than two runs of even samples, by the
-    /// pilot's.
-    pub error: f64,
-    /// Seconds it still needs to the target, where there is one.
-    pub seconds_to_target: Option<f64>,
-    /// Seconds it would still need to half its error.
-    pub seconds_to_half: f64,
-}
-
-/// Why a render ended.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
-#[serde(rename_all = "kebab-case")]
-pub enum StoppedBy {
-    /// The error is at its target.
-    Error,
-    /// Time is up, by prediction or by the clock.
-    Time,
-    /// It has the samples that were asked for, or the most it may take.
-    Samples,
-    /// Somebody stopped it.
-    Interrupt,
-}
 
 /// A render that was given a goal.
 #[derive(Clone, Debug)]

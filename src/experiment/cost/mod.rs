@@ -6,6 +6,7 @@
 //! * [`reference`](Reference): the truth, whose own noise counts for nobody;
 //! * [`bias`](Bias): the error that stays;
 //! * [`strip`]: pictures side by side;
+//! * [`size`](Size): what pictures of one size give;
 //! * [`list`](PriceList), [`target`](Reach): slopes, ratios and times, with intervals or a word that
 //!   there is none.
 //!
@@ -24,13 +25,15 @@ mod method;
 mod plan;
 mod reference;
 mod runs;
+mod size;
 pub mod strip;
 mod target;
 
 pub use bias::Bias;
-pub use list::{PerSample, PriceList, Priced, Size, TARGETS, Verdict};
+pub use list::{PerSample, PriceList, Priced, TARGETS};
 pub use method::{ALL, BASE, CLAMP, Method};
 pub use plan::{Budget, Design, Planned};
 pub use reference::Reference;
 pub use runs::{Measured, Nothing, Run, Runs, measure};
+pub use size::{Size, Verdict};
 pub use target::Reach;

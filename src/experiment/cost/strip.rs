@@ -1,8 +1,9 @@
 //! Pictures side by side: of equal time, and of equal error.
 
-use super::list::{Priced, Verdict};
+use super::list::Priced;
 use super::method::Method;
 use super::runs::{Measured, Runs};
+use super::size::Verdict;
 use crate::render::{Film, Picture, Pixel, Progress};
 use crate::scene::Scene;
 use crate::stats::Estimate;

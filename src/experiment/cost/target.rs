@@ -1,7 +1,7 @@
 //! What a wanted error costs.
 
 use super::bias::Bias;
-use super::list::{Size, Verdict};
+use super::size::{Size, Verdict};
 use crate::stats::price::{Paid, ratio};
 use crate::stats::slope::Line;
 use serde::Serialize;

@@ -1,42 +1,14 @@
 //! A short render with random numbers of its own that tells what a long one will take.
 
+use super::MOST_SAMPLES;
 use super::worth::Worth;
-use super::{Goal, MOST_SAMPLES, StoppedBy};
 use crate::integrators::Integrator;
 use crate::render::accuracy::Accuracy;
+use crate::render::goal::{Goal, Pilot, Prediction, StoppedBy};
 use crate::render::{Options, Progress, Rendered, Session};
 use crate::sampling::stream::{EVEN_SAMPLES, Sampler};
 use crate::scene::Scene;
-use serde::Serialize;
 use std::time::Instant;
-
-/// What a pilot saw.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
-pub struct Pilot {
-    /// Its samples for each pixel.
-    pub spp: u32,
-    /// Its seconds in the pixel loop.
-    pub seconds: f64,
-    /// The relative error of its picture.
-    pub error: f64,
-    /// The relative standard error of that, as far as the scatter of pixels tells.
-    pub uncertainty: f64,
-}
-
-/// What a render will take.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
-pub struct Prediction {
-    /// What it was predicted from.
-    pub pilot: Pilot,
-    /// Samples for each pixel.
-    pub spp: u32,
-    /// Seconds in the pixel loop, without the pilot's.
-    pub seconds: f64,
-    /// The relative error then.
-    pub error: f64,
-    /// What sets the number of samples: the error, the time, or the most samples there may be.
-    pub limited_by: StoppedBy,
-}
 
 /// A pilot's first look; it doubles from there.
 const FIRST: u32 = 32;

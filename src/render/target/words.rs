@@ -1,6 +1,6 @@
 //! What is predicted and reached, in words.
 
-use super::{Prediction, Reached, StoppedBy};
+use crate::render::goal::{Prediction, Reached, StoppedBy};
 use std::fmt::{Display, Formatter, Result};
 
 impl Display for Prediction {

@@ -3,7 +3,7 @@
 //! Of independent samples that is the same for any number of them. Even samples are worth more in long
 //! runs, so it falls with their number until all runs are of full length.
 
-use super::Pilot;
+use crate::render::goal::Pilot;
 use crate::sampling::stream::Sampler;
 
 /// The squared error of a run of 16, 32 and 64 samples, times its samples.
