@@ -74,17 +74,15 @@ pub fn forty(desk: &mut Desk) -> Result<u64, DeskError> {
         }
         rays += found.rays.total();
     }
-    let of = |list: &[Estimate], f: fn(&Estimate) -> f64| list.iter().map(f).collect::<Estimate>();
-    let (forty, one) = (of(&means, Estimate::variance), of(&singles, Estimate::mean));
-    let square = forty.mean() / one.mean();
-    // To first order the error of a ratio is that of the mean of what it leaves over.
-    let pairs = means.iter().zip(&singles);
-    let rest: Estimate = pairs
-        .map(|(m, s)| m.variance() - square * s.mean())
-        .collect();
-    let ratio = square.sqrt();
+    // Pixel by pixel, so that a few bright ones do not decide.
+    let pairs = means
+        .iter()
+        .zip(&singles)
+        .filter(|(_, one)| one.mean() > 0.0);
+    let squares: Estimate = pairs.map(|(m, one)| m.variance() / one.mean()).collect();
+    let ratio = squares.mean().sqrt();
     let number = Number {
-        error: Some(0.5 * ratio * rest.std_error() / (square * one.mean())),
+        error: Some(0.5 * squares.std_error() / ratio),
         ..Number::new("noise of forty paths over noise of one", ratio)
     };
     desk.number("forty", number.exact(1.0 / libm::sqrt(40.0)));

@@ -11,6 +11,7 @@ fn ch14_cost() {
         near_or_equal(&data, name);
     }
     assert!(number(&data, "early", "error") < 0.6 && number(&data, "late", "error") < 0.3);
+    assert!(number(&data, "forty", "error") < 0.01);
     assert!(number(&data, "merged", "value") <= 1.0);
     for name in [
         "kajiya",
