@@ -28,16 +28,17 @@ pub fn work(desk: &mut Desk) -> Result<(u64, f64), DeskError> {
     let (by_point, worst_of_point) = room(desk, "point", point)?;
     // What the point's light would be if it were a small ball: then paths find all of it.
     let scene = load(desk, |said| ball(said, 20.0))?;
-    let mut lost = Estimate::new();
+    let (mut lost, mut rays) = (Estimate::new(), by_lamp + by_point);
     for seed in 0..desk.choose(24, 8) {
         let words = spell(desk, &scene, seed);
+        rays += words.rays;
         let [found, caustics] = [BY_POINT.as_slice(), &[Class::Caustic]]
             .map(|classes| classes.iter().map(|c| share_of(*c, &words)[0]).sum::<f64>());
         lost.add(100.0 * caustics / found);
     }
     let says = "caustics of a small ball, percent of what a point's paths find";
     desk.estimate("ball_caustic", says, &lost, None);
-    Ok((by_lamp + by_point, worst.max(worst_of_point)))
+    Ok((rays, worst.max(worst_of_point)))
 }
 
 fn load(desk: &Desk, change: impl FnOnce(&mut Description)) -> Result<Scene, DeskError> {
@@ -86,7 +87,8 @@ fn room(
         .map(|seed| spell(desk, &scene, seed))
         .collect();
     let all: Estimate = spelt.iter().map(|words| words.total.mean()).collect();
-    let (mut rays, mut worst) = (0, 0.0_f64);
+    let mut rays: u64 = spelt.iter().map(|words| words.rays).sum();
+    let mut worst = 0.0_f64;
     for named in Named::ALL {
         let found = |class: &Class| finds(named, *class, &scene.inventory);
         for class in Class::ALL {

@@ -40,11 +40,12 @@ fn work(desk: &mut Desk) -> Result<Ledger, DeskError> {
     dictionary::missing(desk)?;
 
     // Every path of four renders, spelt.
-    let mut groups = Vec::new();
+    let (mut groups, mut spelt) = (Vec::new(), 0);
     for name in SCENES {
         let side = desk.choose(96, 24);
         let scene = gallery::load_with(name, |said| said.film.size = [side; 2])?;
         let words = spell(desk, &scene);
+        spelt += words.rays;
         desk.say(&format!("\n{name}: {} words", words.shares.len()));
         if matches!(name, "spheres" | "caustic") {
             short_words(desk, name, &words);
@@ -59,7 +60,7 @@ fn work(desk: &mut Desk) -> Result<Ledger, DeskError> {
     // What each integrator finds: said by the expressions, and measured.
     let (rays, worst) = coverage::work(desk)?;
     Ok(Ledger {
-        rays: drawn.rays + rays,
+        rays: spelt + drawn.rays + rays,
         variance: Some(drawn.variance),
         bias_in_errors: Some(worst),
         efficiency: Some(1.0 / (drawn.variance * drawn.per_sample)),

@@ -30,19 +30,18 @@ fn main() -> ExitCode {
 fn work(desk: &mut Desk) -> Result<Ledger, DeskError> {
     // What the scene calls for, by reading it.
     report::of_final(desk)?;
-    report::point_through_glass(desk)?;
+    let asked = report::point_through_glass(desk)?;
 
     // The picture, and what each class of paths has of it.
     let drawn = pictures::work(desk)?;
 
     // What each effect brings, and what it costs to leave absent ones at work.
-    savings::worth(desk)?;
-    savings::absent(desk)?;
+    let measured = savings::worth(desk)? + savings::absent(desk)?;
 
     // Every integrator of the book on this scene.
     let race = race::work(desk)?;
     Ok(Ledger {
-        rays: drawn.rays + race.rays,
+        rays: asked + drawn.rays + measured + race.rays,
         variance: Some(drawn.variance),
         efficiency: Some(1.0 / (drawn.variance * drawn.per_sample)),
         ..Ledger::of(&format!(

@@ -36,8 +36,9 @@ pub fn of_final(desk: &mut Desk) -> Result<(), DeskError> {
     Ok(())
 }
 
-/// A point shines through glass: light that is there, and that every integrator reads as 0.
-pub fn point_through_glass(desk: &mut Desk) -> Result<(), DeskError> {
+/// A point shines through glass: light that is there, and that every integrator reads as 0. The rays
+/// it took.
+pub fn point_through_glass(desk: &mut Desk) -> Result<u64, DeskError> {
     let scene = load(|_| {})?;
     let lost = out_of_reach(&scene.inventory)
         .ok_or_else(|| DeskError::Missing("the point's light is within reach".to_owned()))?;
@@ -48,9 +49,10 @@ pub fn point_through_glass(desk: &mut Desk) -> Result<(), DeskError> {
     };
     let path = Path::new(scene.suggested.max_depth);
     let paths = lost.eye_first();
-    let read = render(&scene, &Restricted { path, paths }, &options, &()).film;
+    let read = render(&scene, &Restricted { path, paths }, &options, &());
+    let mut rays = read.rays.total();
     let says = format!("point through glass: the brightest pixel of {lost}");
-    desk.known("point_lost", &says, read.max(), 0.0);
+    desk.known("point_lost", &says, read.film.max(), 0.0);
     let found = of_scene(&scene.inventory);
     let shares = found.is_some_and(|all| all.light_first().includes(lost.light_first()));
     desk.value(
@@ -59,9 +61,10 @@ pub fn point_through_glass(desk: &mut Desk) -> Result<(), DeskError> {
         f64::from(u8::from(shares)),
     );
     // Walks that meet lamps by chance read 0 everywhere, and the others agree without it.
-    let kajiya = render(&scene, &Named::Kajiya.with(12), &options, &()).film;
+    let kajiya = render(&scene, &Named::Kajiya.with(12), &options, &());
+    rays += kajiya.rays.total();
     let says = "point through glass: the brightest pixel of kajiya";
-    desk.known("point_kajiya", says, kajiya.max(), 0.0);
+    desk.known("point_kajiya", says, kajiya.film.max(), 0.0);
 
     // The same light from a small ball is found.
     let radius = 0.2;
@@ -70,6 +73,7 @@ pub fn point_through_glass(desk: &mut Desk) -> Result<(), DeskError> {
     for seed in 0..desk.choose(16, 8) {
         let options = Options { seed, ..options };
         let words = words(&scene, &path, &options, 1);
+        rays += words.rays;
         let caustics = Class::Caustic.expression();
         let own = words.shares.iter();
         let own = own.filter(|(word, _)| caustics.light_first().accepts(&word.0));
@@ -78,7 +82,7 @@ pub fn point_through_glass(desk: &mut Desk) -> Result<(), DeskError> {
     }
     let says = "a ball in its place: caustics, percent of the light";
     desk.estimate("ball_caustics", says, &share, None);
-    Ok(())
+    Ok(rays)
 }
 
 fn load(change: impl FnOnce(&mut Description)) -> Result<Scene, SceneError> {

@@ -6,14 +6,14 @@ use halfdisk::desk::{Desk, DeskError, Number};
 use halfdisk::effects::measure::{Difference, Setup, difference};
 use halfdisk::effects::without::Without;
 use halfdisk::integrators::Path;
-use halfdisk::render::{Film, Options, render};
+use halfdisk::render::{Options, Rendered, render};
 use halfdisk::scene::{Scene, gallery};
 
 /// Scenes that lack something.
 const SCENES: [&str; 6] = ["cornell", FINAL, "caustic", "gloss", "veach", "mesh"];
 
-/// Leaves out each effect that the final scene calls for.
-pub fn worth(desk: &mut Desk) -> Result<(), DeskError> {
+/// Leaves out each effect that the final scene calls for; the rays it took.
+pub fn worth(desk: &mut Desk) -> Result<u64, DeskError> {
     let side = desk.choose(40, 24);
     let scene = load(FINAL, [side; 2])?;
     let (spp, rounds) = desk.choose((8, 10), (2, 4));
@@ -21,6 +21,7 @@ pub fn worth(desk: &mut Desk) -> Result<(), DeskError> {
         scene: scene.clone(),
         wanted: None,
     };
+    let mut rays = 0;
     for effect in scene.inventory.effects().iter() {
         let leave: Without = [effect].into_iter().collect();
         let without = Setup {
@@ -47,20 +48,21 @@ pub fn worth(desk: &mut Desk) -> Result<(), DeskError> {
         let says = format!("without {}: rays with, over rays without", effect.name());
         desk.value(&format!("rays_{name}"), &says, two_digits(found.rays));
         time(desk, &name, &found);
+        rays += found.traced;
     }
-    Ok(())
+    Ok(rays)
 }
 
-/// Leaves every absent effect at work, at no strength.
-pub fn absent(desk: &mut Desk) -> Result<(), DeskError> {
+/// Leaves every absent effect at work, at no strength; the rays it took.
+pub fn absent(desk: &mut Desk) -> Result<u64, DeskError> {
     let (spp, rounds) = desk.choose((4, 16), (1, 4));
-    let mut groups = Vec::new();
+    let (mut groups, mut rays) = (Vec::new(), 0);
     for name in SCENES {
         let size = desk.choose([48; 2], [16; 2]);
         // ANCHOR: absent
         let plain = load(name, size)?;
         let all_on = plain.clone().with_all_effects();
-        let differ = differing_pixels(desk, &plain, &all_on);
+        let (differ, traced) = differing_pixels(desk, &plain, &all_on);
         // ANCHOR_END: absent
         let setup = |scene: &Scene| Setup {
             scene: scene.clone(),
@@ -72,6 +74,7 @@ pub fn absent(desk: &mut Desk) -> Result<(), DeskError> {
         let says = format!("{name}, every effect at work: rays, of those of the plan");
         desk.known(&format!("rays_all_{name}"), &says, found.rays, 1.0);
         time(desk, &format!("all_{name}"), &found);
+        rays += found.traced + traced;
         let [ratio, low, high] = found.time();
         groups.push(BarGroup {
             name: name.to_owned(),
@@ -91,23 +94,25 @@ pub fn absent(desk: &mut Desk) -> Result<(), DeskError> {
     };
     let caption = "The same picture, with every effect at work and with those that the scene calls \
                    for: how much longer it takes, with the half of the 95 % interval.";
-    desk.figure("seconds_absent.svg", caption, chart.to_svg()?)
+    desk.figure("seconds_absent.svg", caption, chart.to_svg()?)?;
+    Ok(rays)
 }
 
-/// Pixels that are not the same in both, to the last bit.
-fn differing_pixels(desk: &Desk, a: &Scene, b: &Scene) -> usize {
-    let film = |scene: &Scene| -> Film {
+/// Pixels that are not the same in both, to the last bit, and the rays it took.
+fn differing_pixels(desk: &Desk, a: &Scene, b: &Scene) -> (usize, u64) {
+    let rendered = |scene: &Scene| -> Rendered {
         let options = Options {
             spp: 4,
             seed: desk.options.seed,
             ..Options::default()
         };
         let path = Path::new(scene.suggested.max_depth);
-        render(scene, &path, &options, &()).film
+        render(scene, &path, &options, &())
     };
-    let (a, b) = (film(a), film(b));
-    let pairs = a.pixels().iter().zip(b.pixels());
-    pairs.filter(|(p, q)| p != q).count()
+    let (a, b) = (rendered(a), rendered(b));
+    let pairs = a.film.pixels().iter().zip(b.film.pixels());
+    let differ = pairs.filter(|(p, q)| p != q).count();
+    (differ, a.rays.total() + b.rays.total())
 }
 
 /// A ratio of times with its interval; it differs from run to run.

@@ -33,8 +33,18 @@ fn candidates(paths: &Expression) -> Result<Vec<&'static str>, Box<dyn Error>> {
     Ok(found)
 }
 
-/// The share of these paths in a scene's light, and its standard error.
-fn share(name: &str, paths: &Expression, side: i64) -> Result<[f64; 2], Box<dyn Error>> {
+/// What these paths bring.
+struct Share {
+    /// Their share of the scene's light.
+    light: f64,
+    /// Its standard error.
+    error: f64,
+    /// How many brought some: each is a witness that there are such paths.
+    paths: u64,
+}
+
+/// The share of these paths in a scene's light.
+fn share(name: &str, paths: &Expression, side: i64) -> Result<Share, Box<dyn Error>> {
     let scene = gallery::load_with(name, |said| said.film.size = [side; 2])?;
     let options = Options {
         spp: 8,
@@ -44,20 +54,28 @@ fn share(name: &str, paths: &Expression, side: i64) -> Result<[f64; 2], Box<dyn 
     let words = words(&scene, &path, &options, 8);
     let own = words.shares.iter();
     let own = own.filter(|(word, _)| paths.light_first().accepts(&word.0));
-    let (mut light, mut squared_error) = (0.0, 0.0);
+    let (mut light, mut squared_error, mut found) = (0.0, 0.0, 0);
     for (_, share) in own {
         light += share.light.mean();
         squared_error += share.light.std_error().powi(2);
+        found += share.paths;
     }
-    Ok([light, squared_error.sqrt()].map(|x| x / words.total.mean()))
+    let total = words.total.mean();
+    Ok(Share {
+        light: light / total,
+        error: squared_error.sqrt() / total,
+        paths: found,
+    })
 }
 
 fn main() -> Result<(), Box<dyn Error>> {
     let paths = MIRRORED.parse()?;
     println!("scenes that may have {MIRRORED}:");
     for name in candidates(&paths)? {
-        let [light, error] = share(name, &paths, 64)?.map(|x| 100.0 * x);
-        println!("  {name:<9} {light:.3} ± {error:.3} % of the light");
+        let found = share(name, &paths, 64)?;
+        let [light, error] = [found.light, found.error].map(|x| 100.0 * x);
+        let paths = found.paths;
+        println!("  {name:<9} {light:.3} ± {error:.3} % of the light, by {paths} paths");
     }
     println!("to see one: halfdisk render spheres --paths '{MIRRORED}'");
     Ok(())
@@ -89,9 +107,9 @@ mod tests {
         let paths: Expression = MIRRORED.parse().unwrap();
         let found = candidates(&paths).unwrap();
         assert!(found.contains(&"spheres") && !found.contains(&"cornell"));
-        let [light, error] = share("spheres", &paths, 32).unwrap();
-        assert!(light > 4.0 * error, "{light} ± {error}");
-        let [light, _] = share("cornell", &paths, 16).unwrap();
-        assert_eq!(light, 0.0);
+        let seen = share("mixture", &paths, 32).unwrap();
+        assert!(seen.paths > 100 && seen.light > 4.4 * seen.error);
+        let unseen = share("cornell", &paths, 16).unwrap();
+        assert_eq!((unseen.paths, unseen.light), (0, 0.0));
     }
 }

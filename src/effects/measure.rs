@@ -38,6 +38,8 @@ pub struct Difference {
     pub log_time: Estimate,
     /// Rays with, over rays without.
     pub rays: f64,
+    /// Rays of all renders together.
+    pub traced: u64,
     /// The share of the light, in the mean of the picture, that is there with and not without.
     pub share: f64,
     /// Its standard error.
@@ -112,6 +114,7 @@ pub fn difference(with: &Setup, without: &Setup, spp: u32, rounds: u32) -> Diffe
     Difference {
         log_time,
         rays: rays[0] as f64 / (rays[1] as f64).max(1.0),
+        traced: rays.iter().sum(),
         share: ratio(lost.mean(), light.mean()),
         share_error: ratio(lost.std_error(), light.mean()),
         rel_mse: rel_mse(&all),

@@ -27,6 +27,8 @@ pub struct Words {
     pub shares: BTreeMap<Word, Share>,
     /// The mean of the picture, from the same samples.
     pub total: Estimate,
+    /// The rays it took.
+    pub rays: u64,
 }
 
 /// Surfaces a word may have and still be told apart: two bits each.
@@ -39,12 +41,14 @@ const LONGEST: u32 = 31;
 pub fn words(scene: &Scene, path: &Path, options: &Options, replicates: u32) -> Words {
     let mut shares: BTreeMap<Word, Share> = BTreeMap::new();
     let mut total = Estimate::new();
+    let mut rays = 0;
     for replicate in 0..replicates {
         let options = Options {
             seed: options.seed + u64::from(replicate),
             ..*options
         };
-        let (sums, sum) = one_render(scene, path, &options);
+        let (sums, sum, traced) = one_render(scene, path, &options);
+        rays += traced;
         let samples = f64::from(scene.size[0]) * f64::from(scene.size[1]) * f64::from(options.spp);
         total.add(sum / (3.0 * samples));
         for (code, booked) in sums {
@@ -62,7 +66,11 @@ pub fn words(scene: &Scene, path: &Path, options: &Options, replicates: u32) -> 
             share.light.add(0.0);
         }
     }
-    Words { shares, total }
+    Words {
+        shares,
+        total,
+        rays,
+    }
 }
 
 /// The light booked under a word: the sum over channels.
@@ -74,9 +82,9 @@ struct Booked {
 
 type Sums = BTreeMap<u64, Booked>;
 
-fn one_render(scene: &Scene, path: &Path, options: &Options) -> (Sums, f64) {
+fn one_render(scene: &Scene, path: &Path, options: &Options) -> (Sums, f64, u64) {
     let [width, height] = scene.size;
-    let rows: Vec<(Sums, f64)> = (0..height)
+    let rows: Vec<(Sums, f64, u64)> = (0..height)
         .into_par_iter()
         .map(|y| {
             let mut tracer = Tracer::new(scene);
@@ -91,21 +99,22 @@ fn one_render(scene: &Scene, path: &Path, options: &Options) -> (Sums, f64) {
                     sum += channels(speller.li);
                 }
             }
-            (speller.sums, sum)
+            (speller.sums, sum, tracer.counts().total())
         })
         .collect();
     // In the order of rows, so that the sums are the same on any number of threads.
     let mut all = Sums::new();
-    let mut total = 0.0;
-    for (sums, sum) in rows {
+    let (mut total, mut rays) = (0.0, 0);
+    for (sums, sum, traced) in rows {
         total += sum;
+        rays += traced;
         for (code, booked) in sums {
             let entry = all.entry(code).or_default();
             entry.light += booked.light;
             entry.paths += booked.paths;
         }
     }
-    (all, total)
+    (all, total, rays)
 }
 
 /// Books light under the word of its path.
