@@ -147,7 +147,10 @@ impl EffectsOf {
 }
 
 fn describe(scene: &Scene, plan: &Plan) -> String {
-    let mut text = format!("{}: {}\n", scene.name, scene.about);
+    let mut text = format!("{}: {}", scene.name, scene.about)
+        .trim_end()
+        .to_owned()
+        + "\n";
     for (simulated, title) in [(true, "\nsimulated\n"), (false, "\nnot simulated\n")] {
         let lines: Vec<_> = plan
             .lines
