@@ -2,6 +2,9 @@
 
 use libm::{exp10, floor, log10};
 
+/// How far a position may be from where it should.
+const ROUNDING: f64 = 1e-12;
+
 /// A labelled value.
 #[derive(Clone, Debug)]
 pub(super) struct Tick {
@@ -35,7 +38,9 @@ pub(super) fn linear_ticks(low: f64, high: f64) -> Vec<Tick> {
 /// Ticks and faint lines between two positions: powers of ten where they suffice; on a shorter
 /// range their 1, 2, 5; on a still shorter one, round values as on a linear axis.
 pub(super) fn log_ticks(low: f64, high: f64) -> (Vec<Tick>, Vec<f64>) {
-    let powers: Vec<i32> = (low.ceil() as i32..=high.floor() as i32).collect();
+    // The logarithm of a power of ten may be off by a rounding.
+    let (first, last) = ((low - ROUNDING).ceil(), (high + ROUNDING).floor());
+    let powers: Vec<i32> = (first as i32..=last as i32).collect();
     let minor = match powers.len() {
         0..=7 => multiples(low, high, &[2.0, 3.0, 4.0, 5.0, 6.0, 7.0, 8.0, 9.0]),
         _ => Vec::new(),
