@@ -67,7 +67,7 @@ pub fn work(desk: &mut Desk) -> Result<Prices, DeskError> {
     let caption = "The same against seconds, on the machine that ran this.";
     let chart = cost_chart(title, &list, Against::Seconds);
     desk.figure("time_seconds.svg", caption, chart.to_svg()?)?;
-    let strip = equal_time(desk, &scene, &measured, &list)?;
+    equal_time(desk, &scene, &measured, &list)?;
     let runs = measured
         .methods
         .iter()
@@ -79,7 +79,8 @@ pub fn work(desk: &mut Desk) -> Result<Prices, DeskError> {
         (last.error * last.error * f64::from(last.spp), all)
     });
     Ok(Prices {
-        rays: strip + runs.map(|run| run.rays.total()).sum::<u64>(),
+        // Without those of the last figure, which took as many as the clock allowed.
+        rays: runs.map(|run| run.rays.total()).sum::<u64>(),
         scene,
         measured,
         variance,
@@ -164,20 +165,19 @@ fn numbers(desk: &mut Desk, list: &PriceList, method: &Priced) {
     }
 }
 
-/// A picture of each method in equal time, side by side; the rays.
+/// A picture of each method in equal time, side by side.
 fn equal_time(
     desk: &mut Desk,
     scene: &Scene,
     measured: &Measured,
     list: &PriceList,
-) -> Result<u64, DeskError> {
+) -> Result<(), DeskError> {
     let seconds = desk.choose(0.1, 0.004);
-    let (mut pictures, mut errors, mut rays) = (Vec::new(), Vec::new(), 0);
+    let (mut pictures, mut errors) = (Vec::new(), Vec::new());
     for (priced, runs) in list.methods.iter().zip(&measured.methods) {
         let (spp, seed) = (affordable(priced, seconds), !desk.options.seed);
         let shown = show(scene, measured, &runs.method, spp, seed, &desk.bar("strip"));
         let shown = shown.ok_or(DeskError::Interrupted)?;
-        rays += shown.rays;
         pictures.extend([shown.film, shown.off]);
         errors.push(format!("{} {:.0} %", shown.name, 100.0 * shown.error));
     }
@@ -186,8 +186,7 @@ fn equal_time(
         "Equal time, and below each picture its signed error (red is too bright): {errors}."
     );
     let strip = side_by_side(&pictures);
-    desk.picture("time_strip.png", &caption, &strip, scene)?;
-    Ok(rays)
+    desk.picture("time_strip.png", &caption, &strip, scene)
 }
 
 /// Columns of two pictures each, with a white line between them.
