@@ -55,7 +55,7 @@ pub(super) fn table(report: &Report) -> String {
         }
     }
     let [w, h] = report.full;
-    let targets = TARGETS.map(|t| format!("{:>29}", format!("{} %", 100.0 * t)));
+    let targets = TARGETS.map(|t| format!("{:>32}", format!("{} %", 100.0 * t)));
     let _ = writeln!(
         text,
         "\ntime to a relative error, at {w} x {h}:\n{:<12}{}",
@@ -66,7 +66,7 @@ pub(super) fn table(report: &Report) -> String {
         let times: Vec<String> = method
             .times
             .iter()
-            .map(|t| format!("{:>29}", time(t, report.scale())))
+            .map(|t| format!("{:>32}", time(t, report.scale())))
             .collect();
         let _ = writeln!(text, "{:<12}{}", method.name, times.join(""));
     }
