@@ -67,6 +67,8 @@
 //! | A46 nothing | `film_and_input::a46_*`, `cli::bad_meshes::*` | the background to the last bit | |
 //! | A47 order | `structure::a47_*`, `determinism::*` | 1, 2, 7 threads: all bits equal | sums of parts differ |
 //! | A48 faint paths | `structure::a48_*` | 10 rays, the light exact | 1000 rays |
+//! | A51 absent effects | `effects::bits::*` | absent, compiled out, at no strength: the same bytes | a kernel without gloss |
+//! | A52 effects overlooked | `effects::bits::*` | all forced on: the same bytes, on the whole gallery | |
 //! | any numbers | `properties::*`, `materials::limits::any_*`, `mutations::*` | sound | a wrong tree is noticed |
 
 mod draw;
