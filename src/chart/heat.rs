@@ -179,8 +179,8 @@ mod tests {
         let svg = map.to_svg().unwrap();
         for part in [
             "samples",
-            ">1000<",
-            ">10<",
+            "\n1000\n",
+            "\n10\n",
             "data:image/png;base64,",
             "</svg>",
         ] {
