@@ -1,7 +1,7 @@
 //! Only what the scene calls for: which effects a scene has, which light paths follow from them,
 //! what leaving one out would save and lose.
 //!
-//! * [`plan`]: what is simulated and what is not, with reasons, from the scene alone;
+//! * [`mod@plan`]: what is simulated and what is not, with reasons, from the scene alone;
 //! * [`language`]: the light paths of a scene, of an integrator, of a class, as expressions;
 //! * [`without`]: an effect left out on purpose;
 //! * [`words`]: how much light comes by which word;
