@@ -5,7 +5,7 @@ use crate::notation::{Expression, Language};
 use crate::scene::{Effect, Effects, Inventory, Sky};
 
 /// An expression that is known to be one.
-fn known(text: &str) -> Expression {
+pub(super) fn known(text: &str) -> Expression {
     match Expression::parse(text) {
         Ok(expression) => expression,
         Err(error) => unreachable!("{error}"),

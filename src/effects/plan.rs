@@ -109,6 +109,14 @@ fn reason(effect: Effect, simulated: bool, has: &Inventory) -> String {
         return "nothing shines, so there is nothing to simulate".to_owned();
     }
     match (effect, simulated) {
+        (Effect::PointLights, true) if !has.is_rough() => format!(
+            "{}, but only rough surfaces show it, and there are none",
+            count(
+                has.point_lights,
+                "light without extent",
+                "lights without extent"
+            )
+        ),
         (Effect::PointLights, true) => format!(
             "{}: found by shadow rays, for no path can meet them",
             count(
@@ -118,13 +126,20 @@ fn reason(effect: Effect, simulated: bool, has: &Inventory) -> String {
             )
         ),
         (Effect::PointLights, false) => "no light is a point or a direction".to_owned(),
+        (Effect::AreaLights, true) if !has.is_rough() => format!(
+            "{}: met by paths, for no surface is rough and could aim",
+            count(has.area_lights, "surface shines", "surfaces shine")
+        ),
         (Effect::AreaLights, true) => format!(
             "{}: aimed at, met by chance, and weighted by how likely either was",
             count(has.area_lights, "surface shines", "surfaces shine")
         ),
         (Effect::AreaLights, false) => "no surface shines".to_owned(),
         (Effect::Sky, true) => match has.sky {
-            Sky::Image => "an image surrounds the scene: aimed at, and met by rays that leave",
+            Sky::Image if has.is_rough() => {
+                "an image surrounds the scene: aimed at, and met by rays that leave"
+            }
+            Sky::Image => "an image surrounds the scene: met by rays that leave",
             _ => "the same light comes from everywhere beyond the scene: met by rays that leave",
         }
         .to_owned(),

@@ -50,7 +50,7 @@ impl Without {
     pub fn restrict(&self, wanted: Option<&Expression>) -> Option<Wanted> {
         let everything = language::everything();
         let lost = self.0.iter().filter_map(|effect| lost(*effect));
-        let lost: Vec<Expression> = lost.filter_map(|text| text.parse().ok()).collect();
+        let lost: Vec<Expression> = lost.map(language::known).collect();
         (wanted.is_some() || !lost.is_empty()).then(|| {
             lost.iter()
                 .fold(Wanted::new(wanted.unwrap_or(&everything)), Wanted::but)

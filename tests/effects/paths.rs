@@ -166,3 +166,15 @@ fn what_an_effect_changes_is_measured_without_the_noise() {
         (0.0, 0.0, 1.0)
     );
 }
+
+#[test]
+fn reasons_speak_of_aiming_only_where_something_can_aim() {
+    let reason = |text: &str, line: usize| plan(&scene("", text)).lines[line].reason.clone();
+    let mirror = FLOOR.replace("half", "silver");
+    for (light, line) in [(POINT, 0), (LAMP, 1)] {
+        let lit = reason(&(light.to_owned() + FLOOR), line);
+        let mirrored = reason(&(light.to_owned() + &mirror), line);
+        let says = |text: &str| text.contains("aimed at") || text.contains("shadow rays");
+        assert!(says(&lit) && !says(&mirrored), "{lit} {mirrored}");
+    }
+}
