@@ -54,10 +54,7 @@ fn a_square_lamp_overhead() {
         let corner = DVec3::new(-0.5, h, -0.5);
         let quad = Quad::new(corner, DVec3::X, DVec3::Z).unwrap();
         assert!(quad.normal().y < 0.0, "it shines down");
-        let light = Light::Quad(QuadLight {
-            quad,
-            radiance: Rgb::WHITE,
-        });
+        let light = Light::Quad(QuadLight::new(quad, Rgb::WHITE));
         let estimate = irradiance(&light, 400_000);
         assert_near(&format!("square lamp at {h}"), &estimate, centred(h));
         // The relative variance that sampling by solid angle has, far away and near.
@@ -73,10 +70,7 @@ fn a_square_lamp_overhead() {
         );
     }
     let dark = Quad::new(DVec3::new(-0.5, 1.0, -0.5), DVec3::Z, DVec3::X).unwrap();
-    let light = Light::Quad(QuadLight {
-        quad: dark,
-        radiance: Rgb::WHITE,
-    });
+    let light = Light::Quad(QuadLight::new(dark, Rgb::WHITE));
     assert_eq!(irradiance(&light, 100).mean(), 0.0, "its back is dark");
 }
 

@@ -98,6 +98,18 @@ pub trait Primitive: Copy {
     /// The first crossing with `0 < t <= t_max` at `time`, in `[0, 1]`; never nearer than the box.
     fn cross_at(&self, ray: &PreparedRay, time: f32, t_max: f32) -> Option<Crossing>;
 
+    /// The same of a ray of which is known that it enters the box at `entry`.
+    #[inline(always)]
+    fn cross_after(
+        &self,
+        ray: &PreparedRay,
+        time: f32,
+        t_max: f32,
+        _entry: f32,
+    ) -> Option<Crossing> {
+        self.cross_at(ray, time, t_max)
+    }
+
     /// The triangle it is at all times; of these the tree looks at eight at once.
     fn still_triangle(&self) -> Option<Triangle> {
         None
@@ -109,9 +121,17 @@ impl Primitive for Shape {
         Shape::bounds(self)
     }
 
-    #[inline(always)]
     fn cross_at(&self, ray: &PreparedRay, _: f32, t_max: f32) -> Option<Crossing> {
         self.cross(ray, t_max)
+    }
+
+    #[inline(always)]
+    fn cross_after(&self, ray: &PreparedRay, _: f32, t_max: f32, entry: f32) -> Option<Crossing> {
+        match self {
+            Shape::Sphere(s) => s.cross(ray, t_max),
+            Shape::Quad(q) => q.cross_after(ray, t_max, entry),
+            Shape::Triangle(t) => t.cross(ray, t_max),
+        }
     }
 
     fn still_triangle(&self) -> Option<Triangle> {

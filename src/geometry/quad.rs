@@ -1,9 +1,10 @@
 //! A parallelogram.
 
-use super::triangle::{Sheared, distance, weights};
+use super::triangle::{Plane, weights};
 use super::{Aabb, Crossing, PreparedRay, Surface};
 use crate::numeric::gamma;
 use glam::{DVec3, Vec3};
+use wide::{f32x4, f64x4};
 
 /// The parallelogram `corner + s u + t v` for `s`, `t` in `[0, 1]`; its normal is along `u × v`.
 ///
@@ -12,10 +13,12 @@ use glam::{DVec3, Vec3};
 /// the middle of the corners and along both diagonals.
 #[derive(Clone, Copy, Debug)]
 pub struct Quad {
-    /// The four corners in order: `corner`, `+ u`, `+ u + v`, `+ v`, each rounded once.
-    corners: [Vec3; 4],
+    /// The four corners in order, `corner`, `+ u`, `+ u + v`, `+ v`, each rounded once: for each
+    /// coordinate that of the four.
+    corners: [[f32; 4]; 3],
     normal: Vec3,
-    area: f32,
+    /// Bound on the rounding error of a point, coordinate by coordinate.
+    error: Vec3,
 }
 
 impl Quad {
@@ -27,15 +30,20 @@ impl Quad {
     }
 
     fn of_corners(corners: [Vec3; 4]) -> Option<Self> {
-        let cross = cross_product(corners);
+        let lanes = |axis: usize| corners.map(|corner| corner[axis]);
+        let [a, b, c, d] = corners.map(Vec3::abs);
+        let mut quad = Quad {
+            corners: [0, 1, 2].map(lanes),
+            normal: Vec3::ZERO,
+            // Seven roundings in the sum, one for the corners that are not quite in the plane.
+            error: a.max(b).max(c).max(d) * gamma(8),
+        };
+        let cross = quad.plane().normal;
         let length = cross.length();
-        let area = (0.5 * length) as f32;
+        quad.normal = (cross / length).as_vec3();
+        let area = quad.area();
         let proper = corners.iter().all(|c| c.is_finite()) && area > 0.0 && area.is_finite();
-        proper.then(|| Quad {
-            corners,
-            normal: (cross / length).as_vec3(),
-            area,
-        })
+        proper.then_some(quad)
     }
 
     /// The quad moved by a vector, each corner rounded once more.
@@ -43,8 +51,11 @@ impl Quad {
     /// So far away that the corners fall on a line, it has no plane and cannot be hit.
     #[must_use]
     pub fn moved(&self, by: Vec3) -> Quad {
-        let corners = self.corners.map(|corner| corner + by);
-        Quad::of_corners(corners).unwrap_or(Quad { corners, ..*self })
+        let corners = self.corners().map(|corner| corner + by);
+        Quad::of_corners(corners).unwrap_or_else(|| Quad {
+            corners: [0, 1, 2].map(|axis| corners.map(|corner| corner[axis])),
+            ..*self
+        })
     }
 
     /// How far the corners may be from a common plane after they were moved, where those of the
@@ -55,13 +66,14 @@ impl Quad {
 
     /// The largest coordinates of the corners, without signs.
     fn size(&self) -> Vec3 {
-        let [a, b, c, d] = self.corners.map(Vec3::abs);
+        let [a, b, c, d] = self.corners().map(Vec3::abs);
         a.max(b).max(c).max(d)
     }
 
     /// The corners in order: `corner`, `+ u`, `+ u + v`, `+ v`.
     pub fn corners(&self) -> [Vec3; 4] {
-        self.corners
+        let [x, y, z] = self.corners;
+        [0, 1, 2, 3].map(|i| Vec3::new(x[i], y[i], z[i]))
     }
 
     /// Unit normal.
@@ -71,7 +83,18 @@ impl Quad {
 
     /// Area in square scene units.
     pub fn area(&self) -> f32 {
-        self.area
+        (0.5 * self.plane().normal.length()) as f32
+    }
+
+    /// The plane through the middle of the corners and along both diagonals; the length of its
+    /// normal is twice the area.
+    fn plane(&self) -> Plane {
+        let corners = self.corners.map(|lanes| lanes.map(f64::from));
+        let vector = |of: fn([f64; 4]) -> f64| DVec3::from(corners.map(of));
+        Plane {
+            point: vector(|[a, b, c, d]| (a + b + c + d) * 0.25),
+            normal: vector(|[a, _, c, _]| c - a).cross(vector(|[_, b, _, d]| d - b)),
+        }
     }
 
     /// The first crossing with `0 < t <= t_max`.
@@ -79,20 +102,43 @@ impl Quad {
     /// As two triangles with a common diagonal, so that walls which share corners are watertight
     /// along their common edge. Both lie in one plane, so that no ray that leaves the one half
     /// meets the other.
+    pub fn cross(&self, ray: &PreparedRay, t_max: f32) -> Option<Crossing> {
+        let entry = self.bounds().entry(ray, t_max)?;
+        self.cross_after(ray, t_max, entry)
+    }
+
+    /// [`Quad::cross`] of a ray that enters the box of the corners at `entry`: where the four sides
+    /// and the diagonal are seen at once.
     ///
     /// Out of line, as the sphere's, for the sake of the most frequent shape: with all three in
     /// one loop triangles take half as long again.
     #[inline(never)]
-    pub fn cross(&self, ray: &PreparedRay, t_max: f32) -> Option<Crossing> {
-        let seen = |i: usize| Sheared::new(&self.corners[i], ray);
-        let (a, b, c, d) = (seen(0), seen(1), seen(2), seen(3));
-        let (u, v) = match weights([a, b, c]) {
+    pub(super) fn cross_after(
+        &self,
+        ray: &PreparedRay,
+        t_max: f32,
+        entry: f32,
+    ) -> Option<Crossing> {
+        let [x, y, z] = ray.axes;
+        let from_origin =
+            |axis: usize| f32x4::new(self.corners[axis]) - f32x4::splat(ray.origin[axis]);
+        let height = from_origin(z);
+        let sheared = |axis: usize, shear: f32| {
+            let seen = from_origin(axis) - f32x4::splat(shear) * height;
+            seen.to_array().map(f64::from)
+        };
+        let (xs, ys) = (sheared(x, ray.shear[0]), sheared(y, ray.shear[1]));
+        // The edge functions of the four sides, and of the diagonal from c to a.
+        let next = |[a, b, c, d]: [f64; 4]| f64x4::new([b, c, d, a]);
+        let sides = next(xs) * f64x4::new(ys) - next(ys) * f64x4::new(xs);
+        let [ab, bc, cd, da] = sides.to_array();
+        let ca = xs[0] * ys[2] - ys[0] * xs[2];
+        let (u, v) = match weights([bc, ca, ab]) {
             // a + u (b - a) + v (c - a), where c - a is the sum of the two edges.
             Some([u, v]) => (u + v, v),
-            None => weights([a, c, d]).map(|[u, v]| (u, u + v))?,
+            None => weights([cd, da, -ca]).map(|[u, v]| (u, u + v))?,
         };
-        let plane = (middle(self.corners), cross_product(self.corners));
-        let t = distance(ray, t_max, plane, self.bounds())?;
+        let t = self.plane().distance(ray, t_max, entry)?;
         Some(Crossing { t, u, v })
     }
 
@@ -103,35 +149,21 @@ impl Quad {
 
     /// The surface at `corner + s u + t v`.
     pub fn surface_at(&self, s: f32, t: f32) -> Surface {
-        let [a, b, c, d] = self.corners;
         // Bilinear weights: all are non-negative, so nothing cancels.
-        let parts = [
-            a * ((1.0 - s) * (1.0 - t)),
-            b * (s * (1.0 - t)),
-            c * (s * t),
-            d * ((1.0 - s) * t),
-        ];
+        let weights = [(1.0 - s) * (1.0 - t), s * (1.0 - t), s * t, (1.0 - s) * t];
+        let at = |[a, b, c, d]: [f32; 4]| {
+            let [wa, wb, wc, wd] = weights;
+            a * wa + b * wb + c * wc + d * wd
+        };
         Surface {
-            p: parts.into_iter().sum(),
-            // Seven roundings in the sum, one for the corners that are not quite in the plane.
-            error: self.size() * gamma(8),
+            p: Vec3::from(self.corners.map(at)),
+            error: self.error,
             n: self.normal,
         }
     }
 
     /// The box of the corners.
     pub fn bounds(&self) -> Aabb {
-        Aabb::of(self.corners)
+        Aabb::of(self.corners())
     }
-}
-
-/// Twice the area times the normal, as the product of the diagonals.
-fn cross_product(corners: [Vec3; 4]) -> DVec3 {
-    let [a, b, c, d] = corners;
-    (c.as_dvec3() - a.as_dvec3()).cross(d.as_dvec3() - b.as_dvec3())
-}
-
-fn middle(corners: [Vec3; 4]) -> DVec3 {
-    let [a, b, c, d] = corners;
-    (a.as_dvec3() + b.as_dvec3() + c.as_dvec3() + d.as_dvec3()) * 0.25
 }

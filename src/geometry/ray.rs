@@ -1,6 +1,6 @@
 //! A ray, and a ray made ready for many tests.
 
-use glam::Vec3;
+use glam::{Vec3, Vec3A};
 
 /// A half line from `origin`, as far as `t_max`.
 #[derive(Clone, Copy, Debug)]
@@ -35,10 +35,8 @@ impl Ray {
 
     /// True for finite rays that go somewhere, however far; all others hit nothing.
     pub fn is_valid(&self) -> bool {
-        self.origin.is_finite()
-            && self.direction.is_finite()
-            && self.direction != Vec3::ZERO
-            && self.t_max > 0.0
+        let (origin, direction) = (Vec3A::from(self.origin), Vec3A::from(self.direction));
+        origin.is_finite() && direction.is_finite() && direction != Vec3A::ZERO && self.t_max > 0.0
     }
 }
 
@@ -55,29 +53,31 @@ pub struct PreparedRay {
     pub(super) shear: [f32; 2],
 }
 
+/// For each axis that a ray runs along, forwards and backwards, the two others: in the order that
+/// keeps the winding of triangles.
+const AXES: [[[usize; 2]; 2]; 3] = [[[1, 2], [2, 1]], [[2, 0], [0, 2]], [[0, 1], [1, 0]]];
+
 impl From<&Ray> for PreparedRay {
+    #[inline]
     fn from(ray: &Ray) -> Self {
         // A component so small that its reciprocal is none counts as zero, for shapes as for boxes:
         // or the two would not agree on where the ray goes.
-        let inverse = ray.direction.recip();
-        let d = Vec3::select(inverse.is_finite_mask(), ray.direction, ray.direction * 0.0);
+        let direction = Vec3A::from(ray.direction);
+        let inverse = direction.recip();
+        let d = Vec3A::select(inverse.is_finite_mask(), direction, direction * 0.0);
         let size = d.abs();
-        let z = if size.x > size.y && size.x > size.z {
+        // By arithmetic and a table, for nobody can predict where a ray goes.
+        let largest_is_x = (size.x > size.y) & (size.x > size.z);
+        let z = if largest_is_x {
             0
-        } else if size.y > size.z {
-            1
         } else {
-            2
+            2 - usize::from(size.y > size.z)
         };
-        let (mut x, mut y) = ((z + 1) % 3, (z + 2) % 3);
-        if d[z] < 0.0 {
-            // Keeps the winding of triangles.
-            std::mem::swap(&mut x, &mut y);
-        }
+        let [x, y] = AXES[z][usize::from(d[z] < 0.0)];
         PreparedRay {
             origin: ray.origin,
-            direction: d,
-            inverse,
+            direction: d.into(),
+            inverse: inverse.into(),
             axes: [x, y, z],
             shear: [d[x] / d[z], d[y] / d[z]],
         }

@@ -1,7 +1,7 @@
 //! A point on a surface, and the rays that leave it.
 
 use super::Ray;
-use crate::numeric::{gamma, length_and_direction, offset_origin};
+use crate::numeric::{gamma, offset_origin, scale_and_direction};
 use glam::Vec3;
 
 /// A point on a surface with all that rays need to leave it.
@@ -26,14 +26,14 @@ impl Surface {
         )
     }
 
-    /// A ray from here to the free point `target`, with unit direction; it ends there.
+    /// A ray from here to the free point `target`; it ends there. Its direction is of any length.
     pub fn spawn_to_point(&self, target: Vec3) -> Ray {
         let origin = offset_origin(self.p, self.error, self.n, target - self.p);
         segment(origin, target)
     }
 
-    /// A ray from here to a point of another surface, with unit direction; it ends just before
-    /// that surface.
+    /// A ray from here to a point of another surface, which ends just before that surface. Its
+    /// direction is of any length.
     ///
     /// From far away the ray's direction, rounded, leads past the target by more than the target's
     /// own error: the end keeps that distance too, or a lamp would stand in its own light.
@@ -46,11 +46,11 @@ impl Surface {
 }
 
 fn segment(from: Vec3, to: Vec3) -> Ray {
-    let (distance, direction) = length_and_direction(to - from);
+    let (scale, direction) = scale_and_direction(to - from);
     Ray {
         origin: from,
         direction,
-        // The normalised direction may overshoot by a few roundings.
-        t_max: distance * (1.0 - gamma(8)),
+        // The rounded direction may overshoot by a few roundings.
+        t_max: scale * (1.0 - gamma(8)),
     }
 }

@@ -57,11 +57,21 @@ impl Triangle {
     /// The first crossing with `0 < t <= t_max`.
     #[inline]
     pub fn cross(&self, ray: &PreparedRay, t_max: f32) -> Option<Crossing> {
-        let seen = |v: &Vec3| Sheared::new(v, ray);
-        let [u, v] = weights([seen(&self.a), seen(&self.b), seen(&self.c)])?;
-        let plane = (self.a.as_dvec3(), self.cross_product());
-        let t = distance(ray, t_max, plane, self.bounds())?;
+        let [a, b, c] = [&self.a, &self.b, &self.c].map(|corner| Sheared::new(corner, ray));
+        let [u, v] = weights([edge(b, c), edge(c, a), edge(a, b)])?;
+        let t = self.distance(ray, t_max)?;
         Some(Crossing { t, u, v })
+    }
+
+    /// How far along the ray its plane is. Few rays come this far, so it stays out of line and the
+    /// loop over a leaf's triangles short.
+    #[inline(never)]
+    fn distance(&self, ray: &PreparedRay, t_max: f32) -> Option<f32> {
+        let plane = Plane {
+            point: self.a.as_dvec3(),
+            normal: self.cross_product(),
+        };
+        plane.distance(ray, t_max, self.bounds().entry(ray, t_max)?)
     }
 
     /// The surface at a crossing.
@@ -83,37 +93,40 @@ impl Triangle {
 
 /// A corner seen from the ray: the origin at zero, the ray straight along the axis left out.
 #[derive(Clone, Copy)]
-pub(super) struct Sheared {
-    x: f32,
-    y: f32,
+struct Sheared {
+    x: f64,
+    y: f64,
 }
 
 impl Sheared {
     #[inline]
-    pub(super) fn new(corner: &Vec3, ray: &PreparedRay) -> Self {
+    fn new(corner: &Vec3, ray: &PreparedRay) -> Self {
         // Each coordinate straight from memory, without a detour for the order of the axes.
         let (corner, origin): (&[f32; 3], &[f32; 3]) = (corner.as_ref(), ray.origin.as_ref());
         let [x, y, z] = ray.axes;
         let height = corner[z] - origin[z];
         Sheared {
-            x: corner[x] - origin[x] - ray.shear[0] * height,
-            y: corner[y] - origin[y] - ray.shear[1] * height,
+            x: f64::from(corner[x] - origin[x] - ray.shear[0] * height),
+            y: f64::from(corner[y] - origin[y] - ray.shear[1] * height),
         }
     }
 }
 
-/// The weights of the second and third corner where the ray passes between the three; `None`
-/// where it passes outside.
+/// The edge function of two corners: on which side of the edge between them the ray passes.
 ///
-/// Two triangles that share an edge compute the same edge function for it, bit for bit, and its
+/// Two triangles that share an edge compute the same for it, bit for bit but for the sign, and its
 /// sign is exact, for the products of `f32` numbers are exact in `f64`: no ray slips between them.
 ///
 /// Source: Woop, Benthin, Wald, Watertight Ray/Triangle Intersection (JCGT 2(1), 2013).
 #[inline]
-pub(super) fn weights([a, b, c]: [Sheared; 3]) -> Option<[f32; 2]> {
-    let edge =
-        |p: Sheared, q: Sheared| f64::from(q.x) * f64::from(p.y) - f64::from(q.y) * f64::from(p.x);
-    let (u, v, w) = (edge(b, c), edge(c, a), edge(a, b));
+fn edge(p: Sheared, q: Sheared) -> f64 {
+    q.x * p.y - q.y * p.x
+}
+
+/// The weights of the second and third corner from the edge functions opposite to each; `None`
+/// where the ray passes outside.
+#[inline]
+pub(super) fn weights([u, v, w]: [f64; 3]) -> Option<[f32; 2]> {
     let determinant = u + v + w;
     // Without shortcuts, for nobody can predict these signs. A determinant of zero is a triangle
     // seen edge on; a NaN makes every comparison false.
@@ -122,30 +135,28 @@ pub(super) fn weights([a, b, c]: [Sheared; 3]) -> Option<[f32; 2]> {
     (front | back).then(|| [(v / determinant) as f32, (w / determinant) as f32])
 }
 
-/// How far along the ray a flat shape is whose corners it passes between; `None` where that is not
-/// within `0 < t <= t_max`.
-///
-/// * `plane` is a point of the shape's plane and a normal of any length.
-/// * `bounds` is the box of the corners.
-///
-/// The plane decides in `f64`, from the corners as they are, on which side of it the ray begins: a
-/// weighted sum of the sheared corners' distances would be off by some roundings of the largest,
-/// so that rays leaving a long triangle would meet it again. Where the ray grazes the plane, the
-/// distance to it is ill-conditioned; that to the box is not, and no answer is nearer than the box,
-/// or a hierarchy of boxes would not find what a plain loop does.
-///
-/// Few rays come this far, so it stays out of line and the loop over a leaf's triangles short.
-#[inline(never)]
-pub(super) fn distance(
-    ray: &PreparedRay,
-    t_max: f32,
-    (point, n): (DVec3, DVec3),
-    bounds: Aabb,
-) -> Option<f32> {
-    let to_plane = n.dot(point - ray.origin.as_dvec3()) / n.dot(ray.direction.as_dvec3());
-    let t = to_plane as f32;
-    if !(t > 0.0 && t <= t_max) {
-        return None;
+/// The plane of a flat shape.
+pub(super) struct Plane {
+    /// Any point of it.
+    pub(super) point: DVec3,
+    /// Of any length.
+    pub(super) normal: DVec3,
+}
+
+impl Plane {
+    /// How far along the ray a flat shape is whose corners it passes between, and whose box it enters
+    /// at `entry`; `None` where that is not within `0 < t <= t_max`.
+    ///
+    /// The plane decides in `f64`, from the corners as they are, on which side of it the ray begins: a
+    /// weighted sum of the sheared corners' distances would be off by some roundings of the largest,
+    /// so that rays leaving a long triangle would meet it again. Where the ray grazes the plane, the
+    /// distance to it is ill-conditioned; that to the box is not, and no answer is nearer than the box,
+    /// or a hierarchy of boxes would not find what a plain loop does.
+    #[inline]
+    pub(super) fn distance(&self, ray: &PreparedRay, t_max: f32, entry: f32) -> Option<f32> {
+        let n = self.normal;
+        let to_plane = n.dot(self.point - ray.origin.as_dvec3()) / n.dot(ray.direction.as_dvec3());
+        let t = to_plane as f32;
+        (t > 0.0 && t <= t_max).then(|| t.max(entry))
     }
-    Some(t.max(bounds.entry(ray, t_max)?))
 }

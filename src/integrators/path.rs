@@ -74,6 +74,8 @@ impl Path {
         follow: &mut impl Follow,
     ) {
         let mut beta = Rgb::WHITE;
+        // What surfaces left of the light, of which roulette took no account yet.
+        let mut kept = Rgb::WHITE;
         let mut ray = *ray;
         let mut drawn = None;
         let mut hit = tracer.camera_ray(&ray);
@@ -107,15 +109,18 @@ impl Path {
                 break;
             }
             beta *= step.weight;
+            kept *= step.kept;
 
-            // Does the path go on? If so, it also stands for those that did not.
+            // Does the path go on? If so, it also stands for those that did not. It is no worse for
+            // being one of many that look for focused light, and carry less each.
             if depth >= self.roulette_from {
-                let q = beta.max_channel().clamp(LEAST_SURVIVAL, MOST_SURVIVAL);
+                let q = kept.max_channel().clamp(LEAST_SURVIVAL, MOST_SURVIVAL);
                 let survives = numbers.one() < q;
                 if !survives {
                     break;
                 }
                 beta = beta / q;
+                kept = kept / q;
             }
             drawn = step.pdf.map(|pdf| (here.surface, pdf));
             ray = here.surface.spawn(step.direction);

@@ -21,7 +21,7 @@ impl PointLight {
         let irradiance = self.intensity * (1.0 / distance2);
         let shadow_ray = from.spawn_to_point(self.position);
         (distance2 > 0.0 && irradiance.is_finite()).then_some(LightSample {
-            wi: shadow_ray.direction,
+            wi: shadow_ray.direction.normalize(),
             incident: Incident::Irradiance(irradiance),
             shadow_ray,
         })

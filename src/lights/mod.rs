@@ -124,7 +124,7 @@ impl Light {
         let power = match self {
             Light::Point(l) => 4.0 * PI * mean(l.intensity),
             Light::Directional(l) => disc * mean(l.irradiance),
-            Light::Quad(l) => PI * f64::from(l.quad.area()) * mean(l.radiance),
+            Light::Quad(l) => PI * f64::from(l.quad().area()) * mean(l.radiance()),
             Light::Sphere(l) => PI * l.area() * mean(l.radiance),
             Light::Triangle(l) => PI * l.triangle.area() * mean(l.radiance),
             Light::Mesh(l) => PI * l.area() * mean(l.radiance()),
@@ -148,18 +148,35 @@ const SMALLEST_SOLID_ANGLE: f64 = 1e-6;
 
 /// A light is far where its middle is at least so many times as far away as its farthest corner is
 /// from the middle.
-const FAR: f32 = 4.0;
+const FAR: f32 = 2.5;
 
-/// True where a light of these corners is so far from `from` that points drawn uniformly in area
-/// serve as well: `cos θ / d²` hardly differs between them, and the many functions of angles that a
-/// solid angle costs are saved.
-fn is_far<const N: usize>(corners: [Vec3; N], from: &Surface) -> bool {
-    let middle = corners.iter().sum::<Vec3>() / N as f32;
-    let farthest = corners
-        .iter()
-        .map(|corner| (*corner - middle).length_squared())
-        .fold(0.0, f32::max);
-    (middle - from.p).length_squared() >= FAR * FAR * farthest
+/// How large a flat light is.
+#[derive(Clone, Copy, Debug)]
+struct Extent {
+    middle: Vec3,
+    /// Square of the distance from which on it is far.
+    far: f32,
+}
+
+impl Extent {
+    fn of<const N: usize>(corners: [Vec3; N]) -> Self {
+        let middle = corners.iter().sum::<Vec3>() / N as f32;
+        let farthest = corners
+            .iter()
+            .map(|corner| (*corner - middle).length_squared())
+            .fold(0.0, f32::max);
+        Extent {
+            middle,
+            far: FAR * FAR * farthest,
+        }
+    }
+
+    /// True where it is so far from `from` that points drawn uniformly in area serve as well:
+    /// `cos θ / d²` hardly differs between them, and the many functions of angles that a solid angle
+    /// costs are saved.
+    fn is_far(&self, from: &Surface) -> bool {
+        (self.middle - from.p).length_squared() >= self.far
+    }
 }
 
 /// True where `from` is before the front of a flat light and surely not on it: a point of the light

@@ -34,10 +34,7 @@ impl Light {
 impl QuadLight {
     /// The same light in another place.
     pub(super) fn moved(&self, by: Vec3) -> Self {
-        QuadLight {
-            quad: self.quad.moved(by),
-            ..*self
-        }
+        QuadLight::new(self.quad().moved(by), self.radiance())
     }
 }
 

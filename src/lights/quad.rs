@@ -1,10 +1,10 @@
 //! A parallelogram that shines on one side.
 
-use super::{LightSample, SMALLEST_SOLID_ANGLE, faces, is_far, pdf_by_area, towards};
+use super::{Extent, LightSample, SMALLEST_SOLID_ANGLE, faces, pdf_by_area, towards};
 use crate::color::Rgb;
 use crate::geometry::{Quad, Surface};
 use crate::sampling::spherical_rectangle::SphericalRectangle;
-use glam::Vec3;
+use glam::{DVec3, Vec3};
 
 /// Quads whose edges have a cosine of at most this between them are rectangles: as much as the
 /// rounding of corners bends most of them.
@@ -13,13 +13,60 @@ const RIGHT_ANGLE: f64 = 1e-5;
 /// A parallelogram of constant radiance on the side of its normal.
 #[derive(Clone, Copy, Debug)]
 pub struct QuadLight {
-    /// Its shape.
-    pub quad: Quad,
-    /// In W/(m² sr), in every direction of the front side.
-    pub radiance: Rgb,
+    quad: Quad,
+    radiance: Rgb,
+    area: f64,
+    extent: Extent,
+    /// `None` where its edges are not at a right angle.
+    rectangle: Option<Rectangle>,
+}
+
+/// A rectangle as all points before it see it, whatever their own place.
+#[derive(Clone, Copy, Debug)]
+struct Rectangle {
+    corner: DVec3,
+    /// Along the edges, and across.
+    axes: [DVec3; 3],
+    /// Lengths of the edges.
+    size: [f64; 2],
+}
+
+impl Rectangle {
+    fn of(quad: &Quad) -> Option<Self> {
+        let [a, b, _, d] = quad.corners().map(Vec3::as_dvec3);
+        let (u, v) = (b - a, d - a);
+        let size = [u.length(), v.length()];
+        let (x, y) = (u / size[0], v / size[1]);
+        (x.dot(y).abs() <= RIGHT_ANGLE).then_some(Rectangle {
+            corner: a,
+            axes: [x, y, x.cross(y)],
+            size,
+        })
+    }
 }
 
 impl QuadLight {
+    /// The light of a shape and its radiance in W/(m² sr), in every direction of the front side.
+    pub fn new(quad: Quad, radiance: Rgb) -> Self {
+        QuadLight {
+            quad,
+            radiance,
+            area: f64::from(quad.area()),
+            extent: Extent::of(quad.corners()),
+            rectangle: Rectangle::of(&quad),
+        }
+    }
+
+    /// Its shape.
+    pub fn quad(&self) -> &Quad {
+        &self.quad
+    }
+
+    /// In W/(m² sr), in every direction of the front side.
+    pub fn radiance(&self) -> Rgb {
+        self.radiance
+    }
+
     /// Draws a point of the light, uniformly in the solid angle it is seen under; uniformly in area
     /// where its edges are not at a right angle, it is far or looks tiny. `None` where it shines away.
     ///
@@ -62,7 +109,7 @@ impl QuadLight {
     fn sample_area_bent(&self, bend: Vec3, from: &Surface, u: [f32; 2]) -> Option<LightSample> {
         let target = self.bent_surface(bend, u[0], u[1]);
         towards(from, &target, self.radiance, |wi| {
-            pdf_by_area(f64::from(self.quad.area()), from, wi, &target)
+            pdf_by_area(self.area, from, wi, &target)
         })
     }
 
@@ -79,29 +126,25 @@ impl QuadLight {
         }
         match self.seen_from(from) {
             Some(seen) => seen.rectangle.pdf() as f32,
-            None => pdf_by_area(f64::from(self.quad.area()), from, wi, at),
+            None => pdf_by_area(self.area, from, wi, at),
         }
     }
 
     /// The rectangle as a point before it sees it; `None` where it is none, far or too small.
     fn seen_from(&self, from: &Surface) -> Option<Seen> {
-        let corners = self.quad.corners();
-        if is_far(corners, from) {
+        if self.extent.is_far(from) {
             return None;
         }
-        let [a, b, _, d] = corners.map(|corner| corner.as_dvec3() - from.p.as_dvec3());
-        let (u, v) = (b - a, d - a);
-        let (width, height) = (u.length(), v.length());
-        let (x, y) = (u / width, v / height);
-        let [left, low] = [x, y].map(|axis| axis.dot(a));
-        let z = x.cross(y).dot(a).abs();
-        let rectangle = SphericalRectangle::new([left, left + width], [low, low + height], z);
-        (x.dot(y).abs() <= RIGHT_ANGLE && rectangle.solid_angle() >= SMALLEST_SOLID_ANGLE)
-            .then_some(Seen {
-                rectangle,
-                corner: [left, low],
-                size: [width, height],
-            })
+        let Rectangle { corner, axes, size } = self.rectangle?;
+        let way = corner - from.p.as_dvec3();
+        let [left, low, across] = axes.map(|axis| axis.dot(way));
+        let (x, y) = ([left, left + size[0]], [low, low + size[1]]);
+        let rectangle = SphericalRectangle::new(x, y, across.abs());
+        (rectangle.solid_angle() >= SMALLEST_SOLID_ANGLE).then_some(Seen {
+            rectangle,
+            corner: [left, low],
+            size,
+        })
     }
 }
 

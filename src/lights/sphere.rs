@@ -56,7 +56,7 @@ impl SphereLight {
 
         let shadow_ray = from.spawn_to(&target);
         Some(LightSample {
-            wi: shadow_ray.direction,
+            wi: shadow_ray.direction.normalize(),
             incident: Incident::Radiance {
                 li: self.radiance,
                 pdf: warps::pdf_cone(cone.one_minus_cos_max),

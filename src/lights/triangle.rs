@@ -1,6 +1,6 @@
 //! A triangle that shines on one side.
 
-use super::{LightSample, SMALLEST_SOLID_ANGLE, faces, is_far, pdf_by_area, towards};
+use super::{Extent, LightSample, SMALLEST_SOLID_ANGLE, faces, pdf_by_area, towards};
 use crate::color::Rgb;
 use crate::geometry::{Crossing, Surface, Triangle};
 use crate::sampling::{spherical_triangle::SphericalTriangle, warps};
@@ -51,7 +51,7 @@ impl TriangleLight {
     /// The triangle as a point before it sees it; `None` where it is far or too small.
     fn seen_from(&self, from: &Surface) -> Option<SphericalTriangle> {
         let Triangle { a, b, c } = self.triangle;
-        if is_far([a, b, c], from) {
+        if Extent::of([a, b, c]).is_far(from) {
             return None;
         }
         let seen = SphericalTriangle::new(self.corners(from))?;

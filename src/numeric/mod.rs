@@ -11,7 +11,7 @@ mod quadratic;
 mod rounding;
 
 pub use quadratic::{Roots, quadratic};
-pub use rounding::{UNIT_ROUNDOFF, gamma, length_and_direction, offset_origin};
+pub use rounding::{UNIT_ROUNDOFF, gamma, offset_origin, scale_and_direction};
 
 /// Sine of an angle in radians.
 pub fn sin(x: f32) -> f32 {
@@ -26,6 +26,11 @@ pub fn cos(x: f32) -> f32 {
 /// Sine and cosine of an angle in radians.
 pub fn sin_cos(x: f32) -> (f32, f32) {
     libm::sincosf(x)
+}
+
+/// The angle in `[0, π]` of a cosine.
+pub fn acos(x: f32) -> f32 {
+    libm::acosf(x)
 }
 
 /// The angle of the point `(x, y)` from the x axis, in `[-π, π]`.

@@ -13,16 +13,15 @@ pub const fn gamma(n: u32) -> f32 {
     nu / (1.0 - nu)
 }
 
-/// The length of a vector and its unit direction; NaN for the zero vector.
+/// A vector as a power of two and a direction of which the largest component is at least 1 and
+/// less than 2; of denormal vectors it is less.
 ///
-/// Squares of lengths above 1e19 overflow, and those below 1e-19 lose their digits: the vector is
-/// brought near 1 first, by a power of two, which changes no bit of the others.
-pub fn length_and_direction(v: Vec3) -> (f32, Vec3) {
+/// No bit is lost. The length itself would need squares, which overflow above 1e19 and lose their
+/// digits below 1e-19.
+pub fn scale_and_direction(v: Vec3) -> (f32, Vec3) {
     let power = f32::from_bits(v.abs().max_element().to_bits() & 0x7f80_0000);
     let scale = if power > 0.0 { power } else { 1.0 };
-    let near_one = v / scale;
-    let length = near_one.length();
-    (length * scale, near_one / length)
+    (scale, v * (1.0 / scale))
 }
 
 /// Moves a hit point off its surface, to the side that `direction` leaves on.
@@ -40,17 +39,15 @@ pub fn offset_origin(p: Vec3, error: Vec3, n: Vec3, direction: Vec3) -> Vec3 {
     let offset = n * (side * distance);
     // The sum below rounds too: step on to the next number away from the surface. Numbers of one
     // sign are ordered as their bits are, so that is one more or one less; zero has no sign, and
-    // the smallest number beside it serves.
+    // the smallest number beside it serves. All of it is computed, for nobody can predict signs.
     let away = |p: f32, offset: f32| {
         let moved = p + offset;
         let up = (offset > 0.0) == (moved > 0.0);
         let bits = moved.to_bits();
-        let stepped = f32::from_bits(if up { bits + 1 } else { bits.wrapping_sub(1) });
-        match (offset == 0.0, moved == 0.0) {
-            (true, _) => moved,
-            (false, true) => f32::from_bits(1).copysign(offset),
-            (false, false) => stepped,
-        }
+        let stepped = bits.wrapping_add(2 * u32::from(up)).wrapping_sub(1);
+        let from_zero = f32::from_bits(1).copysign(offset).to_bits();
+        let left = if moved == 0.0 { from_zero } else { stepped };
+        f32::from_bits(if offset == 0.0 { bits } else { left })
     };
     Vec3::new(
         away(p.x, offset.x),
@@ -90,13 +87,13 @@ mod tests {
     #[test]
     fn vectors_of_any_length_have_a_direction() {
         let v = Vec3::new(3.0, -4.0, 12.0);
-        for k in [-120, -70, -1, 0, 1, 70, 120] {
-            let scale = libm::exp2(f64::from(k)) as f32;
-            let (length, direction) = length_and_direction(v * scale);
-            assert_eq!((length, direction), (13.0 * scale, v / 13.0), "2^{k}");
+        for k in [-129, -120, -70, -1, 0, 1, 70, 120, 124] {
+            let power = libm::exp2(f64::from(k)) as f32;
+            let (scale, direction) = scale_and_direction(v * power);
+            assert_eq!((scale, direction), (8.0 * power, v / 8.0), "2^{k}");
         }
         assert_eq!((v * 1e20).normalize(), Vec3::ZERO, "the plain form");
-        assert!(length_and_direction(Vec3::ZERO).1.is_nan());
+        assert_eq!(scale_and_direction(Vec3::ZERO), (1.0, Vec3::ZERO));
     }
 
     #[test]

@@ -1,111 +1,207 @@
 //! What focuses light: perfectly specular objects, as targets for rays that look for their light.
 
 use super::Object;
+use super::images::{Image, LampInBall};
 use crate::geometry::{Aabb, Shape};
+use crate::materials::Material;
 use crate::numeric::one_minus_cos;
 use crate::sampling::{frame::Frame, warps};
+use arrayvec::ArrayVec;
 use glam::{DVec3, Vec3};
+use std::f64::consts::PI;
 
 /// With more objects than this nobody aims at them: each asks for its angle at every surface.
 const MOST: usize = 8;
+/// With more lamps in them than this nobody aims at those.
+const MOST_IMAGES: usize = 8;
 
-/// Balls around the specular objects of a scene.
+/// The share of rays that look anywhere at them, where a point sees some.
+const AT_CASTERS: f32 = 0.2;
+/// The share that looks at lamps in them, where the lamps themselves are nothing beside these.
+const AT_IMAGES: f32 = 0.6;
+
+/// Balls around the specular objects of a scene, and lamps that are seen in those which are balls.
 ///
 /// Light that reaches a diffuse surface by way of a mirror or glass is found by chance only, for no
 /// shadow ray goes round a corner; but where such light may come from is known. Directions into the
-/// cones in which these balls are seen find it more often. Jensen, Global Illumination Using Photon
-/// Maps (Rendering Techniques 1996), "Projection maps", sends photons there for the same reason.
+/// cones in which these balls are seen find it more often, and those to the images of lamps in them
+/// more often still. Jensen, Global Illumination Using Photon Maps (Rendering Techniques 1996),
+/// "Projection maps", sends photons there for the same reason.
 #[derive(Clone, Debug, Default)]
-pub struct Casters(Vec<Ball>);
-
-#[derive(Clone, Copy, Debug)]
-struct Ball {
-    center: DVec3,
-    radius: f64,
+pub struct Casters {
+    all: Vec<Caster>,
+    /// Balls around the lamps that are seen in them.
+    lamps: Vec<Ball>,
 }
 
-/// The cone in which a ball is seen.
-#[derive(Clone, Copy)]
-struct Cone {
-    axis: Vec3,
+/// A specular object.
+#[derive(Clone, Debug)]
+struct Caster {
+    ball: Ball,
+    /// Seen in it, where it is a ball.
+    lamps: Vec<LampInBall>,
+}
+
+/// A ball around something.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Ball {
+    pub(super) center: DVec3,
+    pub(super) radius: f64,
+}
+
+/// A ball as it is seen from a point.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Sight {
+    /// Unit, towards its centre.
+    pub(super) axis: Vec3,
+    /// The square of the sine of the angle under which its radius is seen, below 1.
+    pub(super) size2: f32,
+    /// 1 - cos of that angle, positive.
     one_minus_cos: f32,
 }
 
 impl Casters {
     /// Those among the objects of a scene, of which `owners` says which shape belongs to which.
     pub(super) fn new(objects: &[Object], shapes: &[Shape], owners: &[u32]) -> Self {
-        let specular = |object: &Object| object.material.is_some_and(|m| !m.is_smooth());
-        let ids = (0..).zip(objects).filter(|(_, object)| specular(object));
-        let ids: Vec<u32> = ids.map(|(id, _)| id).take(MOST + 1).collect();
-        if ids.len() > MOST {
-            return Casters::default();
-        }
+        let among = |which: fn(&Object) -> bool| {
+            let ids = (0..).zip(objects).filter(move |(_, object)| which(object));
+            ids.map(|(id, _)| id).take(MOST + 1).collect::<Vec<u32>>()
+        };
         let shapes_of = |id: u32| {
             let all = owners.iter().zip(shapes);
-            all.filter(move |(owner, _)| **owner == id)
-                .map(|(_, shape)| *shape)
+            let its = all.filter(move |(owner, _)| **owner == id);
+            its.map(|(_, shape)| *shape).collect::<Vec<_>>()
         };
-        let ball = |id| Ball::around(&shapes_of(id).collect::<Vec<_>>());
-        Casters(ids.into_iter().filter_map(ball).collect())
+        let specular = among(|object| object.material.is_some_and(|m| !m.is_smooth()));
+        let bright = among(|object| object.light.is_some());
+        if specular.len() > MOST {
+            return Casters::default();
+        }
+        let mut lamps: Vec<Ball> = Vec::new();
+        if bright.len() * specular.len() <= MOST_IMAGES {
+            let balls = bright.iter().map(|id| Ball::around(&shapes_of(*id)));
+            lamps.extend(balls.flatten());
+        }
+        let caster = |id: u32| {
+            let shapes = shapes_of(id);
+            let ball = Ball::around(&shapes)?;
+            let material = objects[id as usize].material;
+            // Of the light in glass most comes through it.
+            let ior = match (shapes.as_slice(), material) {
+                ([Shape::Sphere(_)], Some(Material::Mirror(_))) => Some(None),
+                ([Shape::Sphere(_)], Some(Material::Glass(glass))) => {
+                    Some(Some(f64::from(glass.ior)))
+                }
+                _ => None,
+            };
+            let seen = ior.iter().flat_map(|ior| {
+                let lamps = lamps.iter();
+                lamps.filter_map(|lamp| LampInBall::new(&ball, lamp, *ior))
+            });
+            let lamps = seen.collect();
+            Some(Caster { ball, lamps })
+        };
+        let all = specular.into_iter().filter_map(caster).collect();
+        Casters { all, lamps }
     }
 
     /// True where nothing focuses light.
     pub fn is_empty(&self) -> bool {
-        self.0.is_empty()
+        self.all.is_empty()
     }
 
     /// How many objects focus light and are aimed at.
     pub fn len(&self) -> usize {
-        self.0.len()
+        self.all.len()
     }
 
     /// Those that can be aimed at from `p`: it is not within their balls.
+    #[inline(always)]
     pub fn seen_from(&self, p: Vec3) -> SeenCasters {
-        let mut seen = SeenCasters {
-            cones: [Cone {
-                axis: Vec3::Z,
-                one_minus_cos: 0.0,
-            }; MOST],
-            count: 0,
-        };
-        for cone in self.0.iter().filter_map(|ball| ball.seen_from(p)) {
-            seen.cones[seen.count] = cone;
-            seen.count += 1;
+        let mut seen = SeenCasters::default();
+        for caster in &self.all {
+            let Some(sight) = caster.ball.seen_from(p) else {
+                continue;
+            };
+            seen.cones.push(sight);
+            for lamp in &caster.lamps {
+                if let Some(image) = lamp.seen_in(&sight) {
+                    seen.solid_angle += image.solid_angle();
+                    seen.images.push(image);
+                }
+            }
+        }
+        if seen.solid_angle > 0.0 {
+            let direct: f32 = self.lamps.iter().map(|lamp| lamp.solid_angle(p)).sum();
+            seen.at_images = AT_IMAGES * seen.solid_angle / (seen.solid_angle + direct);
         }
         seen
     }
 }
 
-/// The cones in which specular objects are seen from a point.
+/// The cones in which specular objects are seen from a point, and the lamps in them.
+#[derive(Debug, Default)]
 pub struct SeenCasters {
-    cones: [Cone; MOST],
-    count: usize,
+    cones: ArrayVec<Sight, MOST>,
+    images: ArrayVec<Image, MOST_IMAGES>,
+    /// Of all images, in sr.
+    solid_angle: f32,
+    /// The share of all rays that looks at images.
+    at_images: f32,
 }
 
 impl SeenCasters {
     /// True where none is seen.
     pub fn is_empty(&self) -> bool {
-        self.count == 0
+        self.cones.is_empty()
     }
 
-    /// Draws a direction: one of the cones, each as likely, and uniformly in its solid angle; not
-    /// for none.
+    /// The share of all rays from here that had better look at them.
     ///
-    /// Density: the mean of the cones' ([`SeenCasters::pdf`]), in 1/sr.
+    /// The more, the more light comes from lamps in them, compared with what the lamps themselves
+    /// would give.
+    pub fn share(&self) -> f32 {
+        AT_CASTERS + self.at_images
+    }
+
+    /// Draws a direction: one of the cones, each as likely, and in it any direction, uniformly in
+    /// solid angle; or a lamp in one of them. Not for none.
+    ///
+    /// Density: [`SeenCasters::pdf`], in 1/sr.
     pub fn sample(&self, choice: f32, u: [f32; 2]) -> Vec3 {
-        let index = (choice * self.count as f32) as usize;
-        let cone = self.cones[index.min(self.count - 1)];
+        let choice = choice * self.share();
+        if choice < self.at_images {
+            let mut rest = choice / self.at_images * self.solid_angle;
+            let chosen = self.images.iter().find(|image| {
+                rest -= image.solid_angle();
+                rest < 0.0
+            });
+            if let Some(image) = chosen.or(self.images.last()) {
+                return image.sample(u);
+            }
+        }
+        let choice = (choice - self.at_images) / AT_CASTERS;
+        let index = (choice * self.cones.len() as f32) as usize;
+        let cone = self.cones[index.min(self.cones.len() - 1)];
         Frame::new(cone.axis).to_world(warps::sample_cone(u, cone.one_minus_cos))
     }
 
     /// Density of [`SeenCasters::sample`] at the unit direction `wi`, in 1/sr.
     pub fn pdf(&self, wi: Vec3) -> f32 {
-        let inside = self.cones[..self.count].iter().filter(|cone| {
+        let inside = self.cones.iter().filter(|cone| {
             // 1 - cos of the angle between unit vectors, in which nothing cancels.
             0.5 * (wi - cone.axis).length_squared() <= cone.one_minus_cos
         });
         let sum: f32 = inside.map(|cone| warps::pdf_cone(cone.one_minus_cos)).sum();
-        sum / self.count.max(1) as f32
+        if sum == 0.0 {
+            return 0.0;
+        }
+        let mut pdf = AT_CASTERS * sum / self.cones.len() as f32;
+        if self.at_images > 0.0 {
+            let shown = self.images.iter().filter(|image| image.shows(wi)).count();
+            pdf += self.at_images * shown as f32 / self.solid_angle;
+        }
+        pdf / self.share()
     }
 }
 
@@ -130,13 +226,21 @@ impl Ball {
         })
     }
 
-    fn seen_from(&self, p: Vec3) -> Option<Cone> {
+    /// The solid angle in which it is seen from far away, in sr; from nearby more.
+    fn solid_angle(&self, p: Vec3) -> f32 {
+        let distance2 = (self.center - p.as_dvec3()).length_squared();
+        (PI * self.radius * self.radius / distance2) as f32
+    }
+
+    /// How it is seen from `p`; `None` where that is within it, or it is too small to be seen.
+    pub(super) fn seen_from(&self, p: Vec3) -> Option<Sight> {
         let way = self.center - p.as_dvec3();
         let distance2 = way.length_squared();
         let sin2 = self.radius * self.radius / distance2;
         let one_minus_cos = one_minus_cos(sin2 as f32);
-        (sin2 < 1.0 && one_minus_cos > 0.0).then(|| Cone {
+        (sin2 < 1.0 && one_minus_cos > 0.0).then(|| Sight {
             axis: (way / distance2.sqrt()).as_vec3(),
+            size2: sin2 as f32,
             one_minus_cos,
         })
     }
@@ -171,7 +275,7 @@ mod tests {
         let white = Material::Lambert(Lambert { albedo: Rgb::WHITE });
         let casters = casters([(glass(), 3.0, 1.0), (white, -3.0, 1.0), (glass(), 0.0, 9.0)]);
         let seen = casters.seen_from(Vec3::ZERO);
-        assert_eq!((casters.0.len(), seen.count), (2, 1));
+        assert_eq!((casters.len(), seen.cones.len()), (2, 1));
         assert!(seen.pdf(Vec3::X) > 0.0);
         assert_eq!(seen.pdf(Vec3::NEG_X), 0.0);
     }

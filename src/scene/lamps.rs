@@ -74,7 +74,7 @@ impl Parts<'_> {
         }
         for shape in shapes {
             let light = match shape {
-                Shape::Quad(quad) => Light::Quad(QuadLight { quad, radiance }),
+                Shape::Quad(quad) => Light::Quad(QuadLight::new(quad, radiance)),
                 Shape::Sphere(sphere) => Light::Sphere(SphereLight { sphere, radiance }),
                 Shape::Triangle(triangle) => Light::Triangle(TriangleLight { triangle, radiance }),
             };

@@ -12,6 +12,7 @@ mod effects;
 pub mod field;
 pub mod gallery;
 pub mod image_file;
+mod images;
 mod lamps;
 mod mesh_file;
 mod motion;

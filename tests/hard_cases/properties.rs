@@ -162,7 +162,7 @@ proptest! {
         let radiance = Rgb::WHITE;
         let light = match shape {
             Some(Shape::Sphere(sphere)) => Light::Sphere(SphereLight { sphere, radiance }),
-            Some(Shape::Quad(quad)) => Light::Quad(QuadLight { quad, radiance }),
+            Some(Shape::Quad(quad)) => Light::Quad(QuadLight::new(quad, radiance)),
             Some(Shape::Triangle(triangle)) => Light::Triangle(TriangleLight { triangle, radiance }),
             None if u[0] < 0.5 => Light::Point(PointLight { position: n, intensity: radiance }),
             None => Light::Directional(DirectionalLight { from: n, irradiance: radiance }),

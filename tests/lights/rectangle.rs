@@ -12,10 +12,7 @@ use halfdisk::stats::chi_square::chi_square;
 use std::f64::consts::PI;
 
 fn lamp(corner: [f64; 3], u: DVec3, v: DVec3) -> QuadLight {
-    QuadLight {
-        quad: Quad::new(DVec3::from(corner), u, v).unwrap(),
-        radiance: Rgb::WHITE,
-    }
+    QuadLight::new(Quad::new(DVec3::from(corner), u, v).unwrap(), Rgb::WHITE)
 }
 
 /// The unit square, centred above the ground, facing down.
@@ -158,7 +155,7 @@ fn no_light_edge_on_behind_and_on_the_lamp() {
     };
     for from in [tilted(1.0), tilted(1.0 - 1e-7), tilted(1.5), aside] {
         assert_eq!(irradiance(&light, &from, 1000).mean(), 0.0);
-        let at = square(1.0).quad.surface_at(0.5, 0.5);
+        let at = square(1.0).quad().surface_at(0.5, 0.5);
         let wi = (at.p - from.p).try_normalize().unwrap_or(Vec3::Y);
         assert_eq!(light.pdf(&from, wi, Some(&at)), 0.0);
     }
@@ -185,7 +182,7 @@ fn no_light_edge_on_behind_and_on_the_lamp() {
 fn other_parallelograms_by_area() {
     let (u, v) = (DVec3::new(1.0, 0.2, 0.0), DVec3::new(0.4, 0.1, 1.0));
     let sheared = lamp([-0.4, 0.7, -0.3], u, v);
-    let corners = sheared.quad.corners().map(|c| c.as_dvec3());
+    let corners = sheared.quad().corners().map(|c| c.as_dvec3());
     let truth = polygon(&corners, DVec3::Y);
     let e = irradiance(&Light::Quad(sheared), &GROUND, 400_000);
     println!(
@@ -201,13 +198,13 @@ fn other_parallelograms_by_area() {
         let Incident::Radiance { li, pdf } = sample.incident else {
             return None;
         };
-        let pdf = pdf * -sheared.quad.normal().dot(sample.wi);
+        let pdf = pdf * -sheared.quad().normal().dot(sample.wi);
         Some((sample.wi, Incident::Radiance { li, pdf }))
     });
     assert!(wrong.z(truth).abs() > CRITICAL, "{wrong:?}");
     // A twisted point of view makes no rectangle of it, nor does it unmake one.
     let square = lamp([-0.4, 0.7, -0.3], DVec3::new(0.6, 0.8, 0.0), DVec3::Z);
-    let truth = polygon(&square.quad.corners().map(|c| c.as_dvec3()), DVec3::Y);
+    let truth = polygon(&square.quad().corners().map(|c| c.as_dvec3()), DVec3::Y);
     let e = irradiance(&Light::Quad(square), &GROUND, 400_000);
     assert!(e.z(truth).abs() <= CRITICAL, "{e:?} for {truth}");
     assert_ne!(e, by_area(&square, &GROUND, 400_000));
@@ -220,7 +217,7 @@ fn both_ways_meet_where_the_lamp_is_tiny() {
         let light = Light::Quad(square(distance));
         let e = irradiance(&light, &GROUND, 1000);
         let truth = polygon(
-            &square(distance).quad.corners().map(|c| c.as_dvec3()),
+            &square(distance).quad().corners().map(|c| c.as_dvec3()),
             DVec3::Y,
         );
         assert!((e.mean() / truth - 1.0).abs() < 1e-5, "{distance}: {e:?}");

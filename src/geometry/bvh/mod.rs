@@ -5,6 +5,7 @@ mod node;
 mod packet;
 
 use super::{Crossing, Moving, PreparedRay, Primitive, Ray, Shape};
+use arrayvec::ArrayVec;
 use build::{MAX_DEPTH, build};
 use node::{Child, Link, Node, RayLanes, WIDTH};
 use packet::Packet;
@@ -140,14 +141,15 @@ impl<P: Primitive> Bvh<P> {
         let prepared = PreparedRay::from(ray);
         let lanes_of_ray = RayLanes::from(&prepared);
         let mut t_max = ray.reach();
-        let mut stack = [Waiting::default(); STACK_SIZE];
-        let mut height = 0;
+        let mut stack = ArrayVec::<Waiting, STACK_SIZE>::new();
         let mut next = Waiting::new(0.0, Child::Node(0).into());
         loop {
             if next.entry() <= t_max {
                 match next.link().child() {
                     Child::Shape(at) => {
-                        if let Some(crossing) = self.shapes[at].cross_at(&prepared, time, t_max) {
+                        if let Some(crossing) =
+                            self.shapes[at].cross_after(&prepared, time, t_max, next.entry())
+                        {
                             t_max = crossing.t;
                             if meet(at, crossing) {
                                 return;
@@ -168,25 +170,22 @@ impl<P: Primitive> Bvh<P> {
                     Child::Node(at) => {
                         let node = &self.nodes[at];
                         let (entries, met) = node.entries(&lanes_of_ray, t_max);
-                        let base = height;
+                        let base = stack.len();
                         for lane in lanes(met) {
-                            let child = Waiting::new(entries[lane], node.links[lane]);
-                            let mut at = height;
-                            while at > base && stack[at - 1] < child {
-                                stack[at] = stack[at - 1];
-                                at -= 1;
+                            // The nearest is the last to be pushed, and the first to be visited.
+                            let mut child = Waiting::new(entries[lane], node.links[lane]);
+                            for before in &mut stack[base..] {
+                                (*before, child) = (child.max(*before), child.min(*before));
                             }
-                            stack[at] = child;
-                            height += 1;
+                            stack.push(child);
                         }
                     }
                 }
             }
-            if height == 0 {
-                return;
+            match stack.pop() {
+                Some(waiting) => next = waiting,
+                None => return,
             }
-            height -= 1;
-            next = stack[height];
         }
     }
 }
