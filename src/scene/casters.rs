@@ -1,7 +1,7 @@
 //! What focuses light: perfectly specular objects, as targets for rays that look for their light.
 
 use super::Object;
-use super::images::{Image, LampInBall};
+use super::images::{Image, LampInBall, Way};
 use crate::geometry::{Aabb, Shape};
 use crate::materials::Material;
 use crate::numeric::one_minus_cos;
@@ -19,6 +19,25 @@ const MOST_IMAGES: usize = 8;
 const AT_CASTERS: f32 = 0.2;
 /// The share that looks at lamps in them, where the lamps themselves are nothing beside these.
 const AT_IMAGES: f32 = 0.6;
+
+/// How a mirror shows a lamp.
+const MIRROR: [Way; 1] = [Way {
+    ior: None,
+    crossings: 0,
+    strength: 1.0,
+}];
+/// In how many ways glass does.
+const WAYS: usize = 2;
+
+/// Through the ball, and reflected by it, which is roughly a tenth of the light. Images by reflection
+/// within the ball cost more time than they save.
+fn through(ior: f32) -> [Way; WAYS] {
+    [(1, 1.0), (0, 0.1)].map(|(crossings, strength)| Way {
+        ior: Some(f64::from(ior)),
+        crossings,
+        strength,
+    })
+}
 
 /// Balls around the specular objects of a scene, and lamps that are seen in those which are balls.
 ///
@@ -43,7 +62,7 @@ struct Caster {
 }
 
 /// A ball around something.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Ball {
     pub(super) center: DVec3,
     pub(super) radius: f64,
@@ -78,7 +97,7 @@ impl Casters {
             return Casters::default();
         }
         let mut lamps: Vec<Ball> = Vec::new();
-        if bright.len() * specular.len() <= MOST_IMAGES {
+        if bright.len() * specular.len() * WAYS <= MOST_IMAGES {
             let balls = bright.iter().map(|id| Ball::around(&shapes_of(*id)));
             lamps.extend(balls.flatten());
         }
@@ -86,22 +105,25 @@ impl Casters {
             let shapes = shapes_of(id);
             let ball = Ball::around(&shapes)?;
             let material = objects[id as usize].material;
-            // Of the light in glass most comes through it.
-            let ior = match (shapes.as_slice(), material) {
-                ([Shape::Sphere(_)], Some(Material::Mirror(_))) => Some(None),
-                ([Shape::Sphere(_)], Some(Material::Glass(glass))) => {
-                    Some(Some(f64::from(glass.ior)))
-                }
-                _ => None,
+            let ways = match (shapes.as_slice(), material) {
+                ([Shape::Sphere(_)], Some(Material::Mirror(_))) => MIRROR.to_vec(),
+                ([Shape::Sphere(_)], Some(Material::Glass(glass))) => through(glass.ior).to_vec(),
+                _ => Vec::new(),
             };
-            let seen = ior.iter().flat_map(|ior| {
+            let seen = ways.iter().flat_map(|way| {
                 let lamps = lamps.iter();
-                lamps.filter_map(|lamp| LampInBall::new(&ball, lamp, *ior))
+                lamps.filter_map(|lamp| LampInBall::new(&ball, lamp, *way))
             });
             let lamps = seen.collect();
             Some(Caster { ball, lamps })
         };
-        let all = specular.into_iter().filter_map(caster).collect();
+        let mut all: Vec<Caster> = Vec::new();
+        for caster in specular.into_iter().filter_map(caster) {
+            // Of two in one place nobody meets the second.
+            if all.iter().all(|other| other.ball != caster.ball) {
+                all.push(caster);
+            }
+        }
         Casters { all, lamps }
     }
 
@@ -126,14 +148,14 @@ impl Casters {
             seen.cones.push(sight);
             for lamp in &caster.lamps {
                 if let Some(image) = lamp.seen_in(&sight) {
-                    seen.solid_angle += image.solid_angle();
+                    seen.worth += image.worth();
                     seen.images.push(image);
                 }
             }
         }
-        if seen.solid_angle > 0.0 {
+        if seen.worth > 0.0 {
             let direct: f32 = self.lamps.iter().map(|lamp| lamp.solid_angle(p)).sum();
-            seen.at_images = AT_IMAGES * seen.solid_angle / (seen.solid_angle + direct);
+            seen.at_images = AT_IMAGES * seen.worth / (seen.worth + direct);
         }
         seen
     }
@@ -144,8 +166,8 @@ impl Casters {
 pub struct SeenCasters {
     cones: ArrayVec<Sight, MOST>,
     images: ArrayVec<Image, MOST_IMAGES>,
-    /// Of all images, in sr.
-    solid_angle: f32,
+    /// What the images are worth together.
+    worth: f32,
     /// The share of all rays that looks at images.
     at_images: f32,
 }
@@ -171,9 +193,9 @@ impl SeenCasters {
     pub fn sample(&self, choice: f32, u: [f32; 2]) -> Vec3 {
         let choice = choice * self.share();
         if choice < self.at_images {
-            let mut rest = choice / self.at_images * self.solid_angle;
+            let mut rest = choice / self.at_images * self.worth;
             let chosen = self.images.iter().find(|image| {
-                rest -= image.solid_angle();
+                rest -= image.worth();
                 rest < 0.0
             });
             if let Some(image) = chosen.or(self.images.last()) {
@@ -198,8 +220,11 @@ impl SeenCasters {
         }
         let mut pdf = AT_CASTERS * sum / self.cones.len() as f32;
         if self.at_images > 0.0 {
-            let shown = self.images.iter().filter(|image| image.shows(wi)).count();
-            pdf += self.at_images * shown as f32 / self.solid_angle;
+            // Each is drawn by its worth, and in it all directions evenly: of its solid angle only
+            // the strength is left.
+            let shown = self.images.iter().filter(|image| image.shows(wi));
+            let strength: f32 = shown.map(|image| image.strength).sum();
+            pdf += self.at_images * strength / self.worth;
         }
         pdf / self.share()
     }

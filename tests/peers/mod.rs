@@ -79,7 +79,7 @@ fn complaints(name: &str, ours: &Picture, side: u32) -> Vec<String> {
 fn path_agrees_on_all_four_scenes() {
     for (name, spp, side) in [
         ("cornell", 512, 1),
-        ("spheres", 2048, 8),
+        ("spheres", 2048, 2),
         ("caustic", 2048, 16),
         ("mesh", 256, 1),
     ] {

@@ -7,8 +7,11 @@
 //! Source: Descartes, Les Météores (1637), "De l'arc-en-ciel", for the angle by which a ball turns
 //! a ray.
 
+mod image;
+
+pub(in crate::scene) use image::Image;
+
 use super::casters::{Ball, Sight};
-use crate::numeric;
 use glam::Vec3;
 use std::f64::consts::PI;
 use wide::f32x8;
@@ -41,7 +44,19 @@ const STOPS: [[f32x8; 3]; GROUPS] = {
 /// A ball whose radius is seen under less than this is too small to tell its rings apart.
 const SMALLEST: f32 = 1e-3;
 
-/// A lamp and a ball in which it is seen, by reflection or by refraction.
+/// How light goes on from a ball: it crosses the ball so many times, and is reflected within it once
+/// less; with no crossing it is reflected by the ball.
+#[derive(Clone, Copy, Debug)]
+pub(in crate::scene) struct Way {
+    /// The index of refraction; `None` for a mirror, which light does not cross.
+    pub(in crate::scene) ior: Option<f64>,
+    /// How many times light crosses the ball; 0 for a mirror.
+    pub(in crate::scene) crossings: u32,
+    /// How much of the light goes this way, roughly.
+    pub(in crate::scene) strength: f32,
+}
+
+/// A lamp and a ball in which it is seen.
 #[derive(Clone, Debug)]
 pub(super) struct LampInBall {
     /// Unit, from the centre of the ball towards the lamp.
@@ -52,25 +67,26 @@ pub(super) struct LampInBall {
     /// a ray comes from, infinitely far away, and where it is when it is as far away as the lamp.
     /// NaN in rings of which the middle does not come through the ball.
     turns: [[SinCos; 3]; GROUPS],
+    /// See [`Way::strength`].
+    strength: f32,
 }
 
 impl LampInBall {
     /// What is seen of a lamp that fills the ball `lamp`; `None` where the two balls meet.
-    ///
-    /// * `ior`: the index of refraction of a ball through which the lamp is seen; `None` where it is
-    ///   seen by reflection.
-    pub(super) fn new(ball: &Ball, lamp: &Ball, ior: Option<f64>) -> Option<Self> {
-        let way = lamp.center - ball.center;
-        let distance = way.length();
+    pub(in crate::scene) fn new(ball: &Ball, lamp: &Ball, way: Way) -> Option<Self> {
+        let between = lamp.center - ball.center;
+        let distance = between.length();
         if !(distance > ball.radius + lamp.radius && distance.is_finite()) {
             return None;
         }
-        // 2i - φ, and π - 2r more for the way through.
         let turn = |square: f32| {
             let sin = f64::from(square).sqrt();
-            let through = ior.map(|n| PI - 2.0 * libm::asin(sin / n));
+            let across = match way.ior {
+                Some(ior) => PI - 2.0 * libm::asin(sin / ior),
+                None => 0.0,
+            };
             2.0 * libm::asin(sin) - libm::asin(sin * ball.radius / distance)
-                + through.unwrap_or(0.0)
+                + f64::from(way.crossings) * across
         };
         let turns = STOPS.map(|group| {
             let [low, middle, high] = group.map(|lanes| lanes.to_array().map(turn));
@@ -81,9 +97,10 @@ impl LampInBall {
         });
         let spread = libm::asin(lamp.radius / distance);
         Some(LampInBall {
-            towards: (way / distance).as_vec3(),
+            towards: (between / distance).as_vec3(),
             spread: [libm::sin(spread), libm::cos(spread)].map(|x| x as f32),
             turns,
+            strength: way.strength,
         })
     }
 
@@ -100,25 +117,19 @@ impl LampInBall {
         let cos = back.dot(self.towards);
         let aside = self.towards - back * cos;
         let sin = aside.length();
-        let mut image = Image {
-            axis: sight.axis,
-            sideways: if sin > 0.0 {
-                aside / sin
-            } else {
-                back.any_orthonormal_vector()
-            },
-            size2: sight.size2,
-            cosines: [f32::INFINITY; RINGS],
-            opposite: 0,
-            solid_angle: 0.0,
+        let sideways = if sin > 0.0 {
+            aside / sin
+        } else {
+            back.any_orthonormal_vector()
         };
+        let mut image = Image::new(sight.axis, sideways, sight.size2, self.strength);
 
         let [spread_sin, spread_cos] = self.spread.map(f32x8::splat);
         let (sin, cos) = (f32x8::splat(sin), f32x8::splat(cos));
         for (group, (turns, stops)) in self.turns.iter().zip(&STOPS).enumerate() {
             // The angle Γ between here and where the ray arrives: φ less.
             let arrives = |i: usize| {
-                let sin2 = stops[i] * f32x8::splat(image.size2);
+                let sin2 = stops[i] * f32x8::splat(sight.size2);
                 let phi = SinCos {
                     sin: sin2.sqrt(),
                     cos: (f32x8::ONE - sin2).sqrt(),
@@ -145,7 +156,7 @@ impl LampInBall {
                 image.add(group * LANES + lane, factor[lane], least[lane]);
             }
         }
-        (image.solid_angle > 0.0).then_some(image)
+        (image.solid_angle() > 0.0).then_some(image)
     }
 }
 
@@ -175,110 +186,10 @@ impl SinCos {
     }
 }
 
-/// A lamp in a ball as a point sees it: a piece of each ring.
-#[derive(Clone, Debug)]
-pub(super) struct Image {
-    /// Unit, towards the middle of the ball.
-    axis: Vec3,
-    /// Unit, across the axis: the side on which the lamp is.
-    sideways: Vec3,
-    /// The square of the sine of the angle under which the ball's radius is seen.
-    size2: f32,
-    /// For each ring the cosine of half the angle ψ around the axis that its piece takes: infinite
-    /// where there is none, -1 or less where it goes all the way round.
-    cosines: [f32; RINGS],
-    /// A bit for each ring in which the middle of the piece is on the side opposite to the lamp.
-    opposite: u32,
-    /// Of all pieces, in sr.
-    solid_angle: f32,
-}
-
-impl Image {
-    /// In sr.
-    pub(super) fn solid_angle(&self) -> f32 {
-        self.solid_angle
-    }
-
-    /// Adds the piece of a ring in which `factor cos ψ >= least`.
-    fn add(&mut self, ring: usize, factor: f32, least: f32) {
-        self.cosines[ring] = least / factor.abs();
-        self.opposite |= u32::from(factor < 0.0) << ring;
-        self.solid_angle += self.area(ring);
-    }
-
-    /// Half the angle ψ around the axis that the piece of a ring takes.
-    fn half(&self, ring: usize) -> f32 {
-        numeric::acos(self.cosines[ring].max(-1.0))
-    }
-
-    /// The solid angle of the piece of a ring in sr.
-    fn area(&self, ring: usize) -> f32 {
-        2.0 * self.half(ring) * self.height(ring)
-    }
-
-    /// 1 where the middle of a piece is on the lamp's side, -1 where it is opposite.
-    fn side(&self, ring: usize) -> f32 {
-        if self.opposite >> ring & 1 == 0 {
-            1.0
-        } else {
-            -1.0
-        }
-    }
-
-    /// `1 - cos θ` where a ring begins, θ counted from the axis.
-    fn one_minus_cos(&self, ring: usize) -> f32 {
-        numeric::one_minus_cos(self.size2 * (ring as f32 / RINGS as f32))
-    }
-
-    /// The difference of the cosines between which a ring lies, as that of their squares over their
-    /// sum.
-    fn height(&self, ring: usize) -> f32 {
-        let cosines = 2.0 - self.one_minus_cos(ring) - self.one_minus_cos(ring + 1);
-        self.size2 / (RINGS as f32 * cosines)
-    }
-
-    /// Draws a direction, uniformly in the solid angle of all pieces.
-    ///
-    /// * Domain: `u` in `[0, 1)²` → a unit direction into one of the pieces, up to rounding.
-    /// * Density: the reciprocal of the solid angle where [`Image::shows`], in 1/sr.
-    /// * Method: a ring by its share, in the ring `cos θ` and the angle around the axis uniformly.
-    pub(super) fn sample(&self, u: [f32; 2]) -> Vec3 {
-        let mut rest = u[0] * self.solid_angle;
-        let (mut at, mut share) = (0, 0.0);
-        for ring in (0..RINGS).filter(|&ring| self.cosines[ring] < 1.0) {
-            let area = self.area(ring);
-            (at, share) = (ring, (rest / area).min(1.0));
-            if rest < area {
-                break;
-            }
-            rest -= area;
-        }
-        let one_minus_cos = self.one_minus_cos(at) + share * self.height(at);
-        let sin = (one_minus_cos * (2.0 - one_minus_cos)).sqrt();
-        let (sin_psi, cos_psi) = numeric::sin_cos((2.0 * u[1] - 1.0) * self.half(at));
-        let across = self.axis.cross(self.sideways);
-        self.axis * (1.0 - one_minus_cos)
-            + self.sideways * (self.side(at) * sin * cos_psi)
-            + across * (sin * sin_psi)
-    }
-
-    /// True for the unit directions `wi` that [`Image::sample`] draws.
-    pub(super) fn shows(&self, wi: Vec3) -> bool {
-        // 1 - cos of the angle between unit vectors, in which nothing cancels.
-        let one_minus_cos = 0.5 * (wi - self.axis).length_squared();
-        let sin2 = one_minus_cos * (2.0 - one_minus_cos);
-        let ring = sin2 / self.size2 * RINGS as f32;
-        if !(one_minus_cos < 1.0 && ring < RINGS as f32) {
-            return false;
-        }
-        let ring = ring as usize;
-        self.side(ring) * wi.dot(self.sideways) >= self.cosines[ring] * sin2.sqrt()
-    }
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::numeric;
     use crate::sampling::frame::Frame;
     use crate::sampling::stream::{Numbers, Purpose, Stream};
     use crate::sampling::warps;
@@ -288,13 +199,18 @@ mod tests {
         center: DVec3::new(180.0, 90.0, 190.0),
         radius: 90.0,
     };
+    const GLASS: Way = Way {
+        ior: Some(1.5),
+        crossings: 1,
+        strength: 1.0,
+    };
     const LAMP: Ball = Ball {
         center: DVec3::new(278.0, 554.0, 279.5),
         radius: 83.5,
     };
 
     /// Where a ray that meets a ball goes on: reflected, or through it.
-    fn onward(ball: Ball, ior: Option<f64>, origin: DVec3, d: DVec3) -> Option<(DVec3, DVec3)> {
+    fn onward(ball: Ball, way: Way, origin: DVec3, d: DVec3) -> Option<(DVec3, DVec3)> {
         let meet = |o: DVec3, d: DVec3, far: bool| {
             let f = o - ball.center;
             let root = (f.dot(d).powi(2) - f.length_squared() + ball.radius.powi(2)).sqrt();
@@ -302,16 +218,21 @@ mod tests {
             (p, (p - ball.center) / ball.radius)
         };
         let (p, n) = meet(origin, d, false);
-        let Some(ior) = ior else {
+        if way.crossings == 0 {
             return Some((p, d - n * (2.0 * d.dot(n))));
-        };
+        }
+        let ior = way.ior?;
         let refract = |d: DVec3, n: DVec3, eta: f64| {
             let across = (d - n * d.dot(n)) * eta;
             let rest = 1.0 - across.length_squared();
             (rest >= 0.0).then(|| across + n * rest.sqrt() * d.dot(n).signum())
         };
-        let inside = refract(d, n, 1.0 / ior)?;
-        let (q, n) = meet(p, inside, true);
+        let mut inside = refract(d, n, 1.0 / ior)?;
+        let (mut q, mut n) = meet(p, inside, true);
+        for _ in 1..way.crossings {
+            inside -= n * (2.0 * inside.dot(n));
+            (q, n) = meet(q, inside, true);
+        }
         Some((q, refract(inside, n, ior)?))
     }
 
@@ -339,12 +260,12 @@ mod tests {
 
     /// Of the rays to anywhere on the ball that meet the lamp, the share that its images show; and of
     /// those into its images, the share that meets the lamp, in units of what it is anywhere.
-    fn found_and_gain(ior: Option<f64>, true_ior: Option<f64>) -> [f64; 2] {
-        let lamp = LampInBall::new(&BALL, &LAMP, ior).expect("two balls apart");
+    fn found_and_gain(way: Way, really: Way) -> [f64; 2] {
+        let lamp = LampInBall::new(&BALL, &LAMP, way).expect("two balls apart");
         let (mut all, mut seen, mut found, mut drawn, mut hit) = (0, 0, 0, 0, 0);
         for (sight, p, mut numbers) in points() {
             let meets = |d: Vec3| {
-                let onward = onward(BALL, true_ior, p, d.as_dvec3().normalize());
+                let onward = onward(BALL, really, p, d.as_dvec3().normalize());
                 onward.is_some_and(|ray| meets(LAMP, ray))
             };
             let image = lamp.seen_in(&sight);
@@ -367,18 +288,35 @@ mod tests {
 
     #[test]
     fn lamps_are_where_their_images_are() {
-        for ior in [None, Some(1.5), Some(1.2), Some(0.8)] {
-            let [found, gain] = found_and_gain(ior, ior);
-            println!("{ior:?}: {found} found, {gain} times as often");
-            assert!(found > 0.95 && gain > 10.0, "{ior:?}: {found} {gain}");
+        let glass = |ior, crossings| Way {
+            ior: Some(ior),
+            crossings,
+            ..GLASS
+        };
+        let ways = [
+            (1.5, 0),
+            (1.5, 1),
+            (1.2, 1),
+            (0.8, 1),
+            (1.5, 2),
+            (1.33, 2),
+            (1.5, 3),
+        ];
+        for (ior, crossings) in ways {
+            let way = glass(ior, crossings);
+            let [found, gain] = found_and_gain(way, way);
+            println!("{ior}, {crossings} crossings: {found} found, {gain} times as often");
+            assert!(found > 0.95 && gain > 5.0, "{way:?}: {found} {gain}");
         }
-        let [found, _] = found_and_gain(Some(1.2), Some(1.5));
+        let [found, _] = found_and_gain(glass(1.2, 1), glass(1.5, 1));
         assert!(found < 0.5, "another glass: {found}");
+        let [found, _] = found_and_gain(glass(1.5, 1), glass(1.5, 2));
+        assert!(found < 0.5, "another way: {found}");
     }
 
     #[test]
     fn directions_fill_the_images_evenly() {
-        let lamp = LampInBall::new(&BALL, &LAMP, Some(1.5)).expect("two balls apart");
+        let lamp = LampInBall::new(&BALL, &LAMP, GLASS).expect("two balls apart");
         // Of directions to anywhere, those that an image shows; weighted by how rare they are, those
         // in its inner rings. Of directions drawn, the same.
         let (mut shown, mut expected, mut variance, mut expected_inner) = (0.0, 0.0, 0.0, 0.0);
