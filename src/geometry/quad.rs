@@ -30,14 +30,13 @@ impl Quad {
     }
 
     fn of_corners(corners: [Vec3; 4]) -> Option<Self> {
-        let lanes = |axis: usize| corners.map(|corner| corner[axis]);
-        let [a, b, c, d] = corners.map(Vec3::abs);
         let mut quad = Quad {
-            corners: [0, 1, 2].map(lanes),
+            corners: by_coordinate(corners),
             normal: Vec3::ZERO,
-            // Seven roundings in the sum, one for the corners that are not quite in the plane.
-            error: a.max(b).max(c).max(d) * gamma(8),
+            error: Vec3::ZERO,
         };
+        // Seven roundings in the sum, one for the corners that are not quite in the plane.
+        quad.error = quad.size() * gamma(8);
         let cross = quad.plane().normal;
         let length = cross.length();
         quad.normal = (cross / length).as_vec3();
@@ -53,7 +52,7 @@ impl Quad {
     pub fn moved(&self, by: Vec3) -> Quad {
         let corners = self.corners().map(|corner| corner + by);
         Quad::of_corners(corners).unwrap_or_else(|| Quad {
-            corners: [0, 1, 2].map(|axis| corners.map(|corner| corner[axis])),
+            corners: by_coordinate(corners),
             ..*self
         })
     }
@@ -166,4 +165,9 @@ impl Quad {
     pub fn bounds(&self) -> Aabb {
         Aabb::of(self.corners())
     }
+}
+
+/// For each coordinate that of the four corners.
+fn by_coordinate(corners: [Vec3; 4]) -> [[f32; 4]; 3] {
+    [0, 1, 2].map(|axis| corners.map(|corner| corner[axis]))
 }

@@ -276,8 +276,9 @@ mod tests {
     use super::*;
     use crate::color::Rgb;
     use crate::geometry::Sphere;
-    use crate::materials::{Glass, Lambert, Material};
+    use crate::materials::{Glass, Lambert, Material, Mirror};
     use crate::sampling::stream::{Purpose, Stream};
+    use crate::stats::Estimate;
 
     fn glass() -> Material {
         Material::Glass(Glass { ior: 1.5 })
@@ -329,5 +330,56 @@ mod tests {
         // All of the narrow cone's, and its share of the wide one's.
         let share = 0.5 + 0.5 * solid_angle(0.15) / solid_angle(0.5);
         assert!((f64::from(inside) / f64::from(n) - share).abs() < 0.005);
+    }
+
+    #[test]
+    fn directions_to_lamps_follow_their_density_too() {
+        // A lamp behind a glass ball that is before us, and a mirror ball beside us.
+        let mirror = Material::Mirror(Mirror {
+            reflectance: Rgb::WHITE,
+        });
+        let object = |material: Option<Material>| Object {
+            material,
+            emission: Rgb::BLACK,
+            light: material.is_none().then_some(0),
+        };
+        let ball = |x, y, radius| Shape::Sphere(Sphere::new(Vec3::new(x, y, 0.0), radius));
+        let objects = [Some(glass()), Some(mirror), None].map(object);
+        let shapes = [
+            ball(1.5, 0.0, 1.0),
+            ball(0.0, 4.0, 1.5),
+            ball(6.0, 0.5, 0.5),
+        ];
+        let casters = Casters::new(&objects, &shapes, &[0, 1, 2]);
+        let seen = casters.seen_from(Vec3::ZERO);
+        assert_eq!((seen.cones.len(), seen.images.len()), (2, 3));
+        assert!(seen.share() > AT_CASTERS + 0.2, "{}", seen.share());
+        // Of directions drawn: the mean of 1 / pdf, and how many the largest image shows.
+        let through = &seen.images[0];
+        let (mut reciprocal, mut shown) = (Estimate::new(), Estimate::new());
+        let (mut by_density, mut without_lamps) = (Estimate::new(), 0.0);
+        let cone = |sight: &Sight| std::f64::consts::TAU * f64::from(sight.one_minus_cos);
+        for i in 0..200_000 {
+            let mut numbers = Stream::new(1, i, 0).at(0, Purpose::Direction);
+            let wi = seen.sample(numbers.one(), numbers.two()).normalize();
+            reciprocal.add(1.0 / f64::from(seen.pdf(wi)));
+            shown.add(f64::from(u8::from(through.shows(wi))));
+            // The same by directions that are drawn evenly, and by the density alone.
+            let sight = &seen.cones[0];
+            let local = warps::sample_cone(numbers.two(), sight.one_minus_cos);
+            let wi = Frame::new(sight.axis).to_world(local).normalize();
+            let value = f64::from(u8::from(through.shows(wi))) * cone(sight);
+            by_density.add(value * f64::from(seen.pdf(wi)));
+            without_lamps += value / (cone(sight) * 2.0) / 200_000.0;
+        }
+        let solid_angle: f64 = seen.cones.iter().map(cone).sum();
+        assert!(reciprocal.z(solid_angle).abs() < 4.4, "{reciprocal:?}");
+        let difference = shown.mean() - by_density.mean();
+        let error = shown.std_error().hypot(by_density.std_error());
+        assert!(difference.abs() < 4.4 * error, "{difference} ± {error}");
+        assert!(
+            shown.z(without_lamps) > 44.0,
+            "a density that knows no lamps is noticed"
+        );
     }
 }
