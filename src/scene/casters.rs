@@ -352,7 +352,8 @@ mod tests {
         ];
         let casters = Casters::new(&objects, &shapes, &[0, 1, 2]);
         let seen = casters.seen_from(Vec3::ZERO);
-        assert_eq!((seen.cones.len(), seen.images.len()), (2, 3));
+        // The lamp is behind the glass, which does not reflect it this way.
+        assert_eq!((seen.cones.len(), seen.images.len()), (2, 2));
         assert!(seen.share() > AT_CASTERS + 0.2, "{}", seen.share());
         // Of directions drawn: the mean of 1 / pdf, and how many the largest image shows.
         let through = &seen.images[0];
