@@ -4,6 +4,7 @@
 //! it and makes a [`Scene`], [`gallery`] holds the scenes that come with the program, and
 //! [`tracer`] is the only way integrators look at a scene: it counts what they ask.
 
+mod ball;
 mod brightest;
 pub mod build;
 mod casters;

@@ -11,7 +11,7 @@ mod image;
 
 pub(in crate::scene) use image::Image;
 
-use super::casters::{Ball, Sight};
+use super::ball::{Ball, Sight};
 use glam::Vec3;
 use std::f64::consts::PI;
 use wide::f32x8;
