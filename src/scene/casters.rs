@@ -100,7 +100,7 @@ impl Casters {
         };
         let mut all: Vec<Caster> = Vec::new();
         for caster in specular.into_iter().filter_map(caster) {
-            // Of two in one place nobody meets the second.
+            // Two in one place are looked at once.
             if all.iter().all(|other| other.ball != caster.ball) {
                 all.push(caster);
             }
