@@ -6,10 +6,11 @@
 
 mod cases;
 mod leaving;
-mod prices;
 
 use halfdisk::chart::{Axis, Curve, CurveChart, Style};
 use halfdisk::desk::{Chapter, Desk, DeskError, Number};
+use halfdisk::experiment::robustness::pairs;
+use halfdisk::experiment::stopwatch::in_turns;
 use halfdisk::ledger::Ledger;
 use std::process::ExitCode;
 
@@ -47,14 +48,15 @@ fn work(desk: &mut Desk) -> Result<Ledger, DeskError> {
     }
 
     // What the care costs.
-    let rounds = desk.choose(31, 3);
-    for price in prices::all(desk.choose(100_000, 2_000), rounds, seed) {
-        let says = format!("time of ours over the plain form: {}", price.says);
+    let rounds = desk.choose(2_000, 4);
+    for pair in pairs(4096) {
+        let ratio = in_turns(rounds, &pair.plain, &pair.robust);
+        let says = format!("time of ours over the plain form: {}", pair.name);
         let number = Number {
-            error: Some(price.ratio.std_error()),
-            ..Number::new(&says, price.ratio.mean())
+            error: Some(ratio.std_error()),
+            ..Number::new(&says, ratio.mean())
         };
-        desk.number(&format!("price_time_{}", price.name), number);
+        desk.number(&format!("price_time_{}", pair.key), number);
     }
     Ok(Ledger {
         rays: 3 * leaving::SCALES as u64 * u64::from(each),

@@ -5,6 +5,7 @@
 //! * [`named`]: the estimators one can ask for by name;
 //! * [`price`]: what the same error costs two ways;
 //! * [`noise`]: what a thousand samples more are worth;
+//! * [`robustness`]: computations in plain forms and in those that hold in hard cases;
 //! * [`stopwatch`]: how long one thing takes for the time of another.
 
 pub mod convergence;
@@ -12,4 +13,5 @@ pub mod cost;
 pub mod named;
 pub mod noise;
 pub mod price;
+pub mod robustness;
 pub mod stopwatch;
