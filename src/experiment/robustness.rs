@@ -59,29 +59,31 @@ fn prepared(rays: &[Ray]) -> Vec<PreparedRay> {
     rays.iter().map(PreparedRay::from).collect()
 }
 
-fn count(hits: impl Iterator<Item = bool>) -> f64 {
-    hits.filter(|hit| *hit).count() as f64
+/// The answers to all inputs, each as a number, added up.
+fn work<I: 'static, A>(
+    inputs: Vec<I>,
+    answer: impl Fn(&I) -> A + 'static,
+    number: impl Fn(A) -> f64 + 'static,
+) -> Work {
+    let one = move |input: &I| number(black_box(answer(input)));
+    Box::new(move || inputs.iter().map(&one).sum())
+}
+
+fn met<T>(hit: Option<T>) -> f64 {
+    f64::from(u8::from(hit.is_some()))
 }
 
 fn sphere(rays: &[Ray]) -> Pair {
     let (center, radius) = black_box((Vec3::ZERO, 0.5));
-    let (plain, robust, ours) = (rays.to_vec(), prepared(rays), Sphere::new(center, radius));
+    let ours = Sphere::new(center, radius);
+    let plain = move |r: &Ray| naive::sphere_after(r.origin, r.direction, center, radius, 1e-3);
     Pair {
         key: "sphere",
         name: "ray and sphere",
         plain_form: "school formula in f32, from a fixed distance on",
         robust_form: "quadratic in f64",
-        plain: Box::new(move || {
-            let hit = |r: &Ray| naive::sphere_after(r.origin, r.direction, center, radius, 1e-3);
-            count(plain.iter().map(|r| black_box(hit(r)).is_some()))
-        }),
-        robust: Box::new(move || {
-            count(
-                robust
-                    .iter()
-                    .map(|r| black_box(ours.cross(r, f32::MAX)).is_some()),
-            )
-        }),
+        plain: work(rays.to_vec(), plain, met),
+        robust: work(prepared(rays), move |r| ours.cross(r, f32::MAX), met),
     }
 }
 
@@ -92,23 +94,15 @@ fn triangle(rays: &[Ray]) -> Pair {
         Vec3::new(-0.2, 0.6, 0.0),
     ]);
     let [a, b, c] = corners;
-    let (plain, robust, ours) = (rays.to_vec(), prepared(rays), Triangle { a, b, c });
+    let ours = Triangle { a, b, c };
+    let plain = move |r: &Ray| naive::triangle(r.origin, r.direction, corners);
     Pair {
         key: "triangle",
         name: "ray and triangle",
         plain_form: "Möller and Trumbore",
         robust_form: "watertight",
-        plain: Box::new(move || {
-            let hit = |r: &Ray| naive::triangle(r.origin, r.direction, corners);
-            count(plain.iter().map(|r| black_box(hit(r)).is_some()))
-        }),
-        robust: Box::new(move || {
-            count(
-                robust
-                    .iter()
-                    .map(|r| black_box(ours.cross(r, f32::MAX)).is_some()),
-            )
-        }),
+        plain: work(rays.to_vec(), plain, met),
+        robust: work(prepared(rays), move |r| ours.cross(r, f32::MAX), met),
     }
 }
 
@@ -116,31 +110,19 @@ fn slab(rays: &[Ray]) -> Pair {
     let [min, max] = black_box([Vec3::splat(-0.4), Vec3::new(0.5, 0.4, 0.3)]);
     let ours = Aabb { min, max };
     // Both forms are given the reciprocals, as in the hierarchy.
-    let plain: Vec<(Vec3, Vec3)> = rays
-        .iter()
-        .map(|r| (r.origin, r.direction.recip()))
-        .collect();
-    let robust = prepared(rays);
+    let given = rays.iter().map(|r| (r.origin, r.direction.recip()));
+    let plain = move |&(o, inverse): &(Vec3, Vec3)| {
+        let (x, y) = ((min - o) * inverse, (max - o) * inverse);
+        let (near, far) = (x.min(y), x.max(y));
+        (near.max_element().max(0.0) <= far.min_element()).then_some(())
+    };
     Pair {
         key: "slab",
         name: "ray and box",
         plain_form: "min and max",
         robust_form: "comparisons that pass over a NaN, and an early entry",
-        plain: Box::new(move || {
-            let meets = |&(o, inverse): &(Vec3, Vec3)| {
-                let (x, y) = ((min - o) * inverse, (max - o) * inverse);
-                let (near, far) = (x.min(y), x.max(y));
-                black_box(near.max_element().max(0.0) <= far.min_element())
-            };
-            count(plain.iter().map(meets))
-        }),
-        robust: Box::new(move || {
-            count(
-                robust
-                    .iter()
-                    .map(|r| black_box(ours.entry(r, f32::MAX)).is_some()),
-            )
-        }),
+        plain: work(given.collect(), plain, met),
+        robust: work(prepared(rays), move |r| ours.entry(r, f32::MAX), met),
     }
 }
 
@@ -150,54 +132,43 @@ fn offset(rays: &[Ray]) -> Pair {
         let error = p.abs() * gamma(7);
         (Surface { p, error, n }, r.direction)
     };
-    let plain: Vec<(Surface, Vec3)> = rays.iter().map(leaving).collect();
-    let robust = plain.clone();
+    let given: Vec<(Surface, Vec3)> = rays.iter().map(leaving).collect();
     let distance = black_box(1e-3);
-    let sum =
-        |rays: &mut dyn Iterator<Item = Ray>| rays.map(|r| f64::from(black_box(r).origin.x)).sum();
+    let plain =
+        move |&(s, d): &(Surface, Vec3)| Ray::new(naive::offset_by(distance, s.p, s.n, d), d);
+    let number = |ray: Ray| f64::from(ray.origin.x);
     Pair {
         key: "offset",
         name: "leaving a surface",
         plain_form: "a fixed distance along the normal",
         robust_form: "bounds on the rounding error",
-        plain: Box::new(move || {
-            let ray =
-                |&(s, d): &(Surface, Vec3)| Ray::new(naive::offset_by(distance, s.p, s.n, d), d);
-            sum(&mut plain.iter().map(ray))
-        }),
-        robust: Box::new(move || sum(&mut robust.iter().map(|(s, d)| s.spawn(*d)))),
+        plain: work(given.clone(), plain, number),
+        robust: work(given, |(s, d)| s.spawn(*d), number),
     }
 }
 
 fn cone(samples: &[f32]) -> Pair {
-    let (plain, robust) = (samples.to_vec(), samples.to_vec());
-    let sum =
-        |all: &mut dyn Iterator<Item = f32>| all.map(|x| f64::from(black_box(x))).sum::<f64>();
     Pair {
         key: "cone",
         name: "one minus a cosine",
         plain_form: "1 - sqrt(1 - sin²)",
         robust_form: "sin² over 1 + cos",
-        plain: Box::new(move || sum(&mut plain.iter().map(|&x| naive::one_minus_cos(x)))),
-        robust: Box::new(move || sum(&mut robust.iter().map(|&x| numeric::one_minus_cos(x)))),
+        plain: work(samples.to_vec(), |&x| naive::one_minus_cos(x), f64::from),
+        robust: work(samples.to_vec(), |&x| numeric::one_minus_cos(x), f64::from),
     }
 }
 
 fn weights(samples: &[f32]) -> Pair {
-    let (plain, robust) = (samples.to_vec(), samples.to_vec());
     let other = black_box(0.5);
-    let sum =
-        |all: &mut dyn Iterator<Item = f32>| all.map(|x| f64::from(black_box(x))).sum::<f64>();
+    let plain = move |&x: &f32| naive::power_weight(x, other);
+    let robust = move |&x: &f32| Heuristic::Power.weight(x, other);
     Pair {
         key: "weights",
         name: "power heuristic",
         plain_form: "squares over their sum",
         robust_form: "by the ratio, which does not overflow",
-        plain: Box::new(move || sum(&mut plain.iter().map(|&x| naive::power_weight(x, other)))),
-        robust: Box::new(move || {
-            let weight = |&x: &f32| Heuristic::Power.weight(x, other);
-            sum(&mut robust.iter().map(weight))
-        }),
+        plain: work(samples.to_vec(), plain, f64::from),
+        robust: work(samples.to_vec(), robust, f64::from),
     }
 }
 
