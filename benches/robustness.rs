@@ -75,7 +75,7 @@ fn print_table(folder: &Path, start: SystemTime, pairs: &[Pair]) {
         return;
     }
     println!(
-        "{:20} {:>15} {:>15} {:>11}",
+        "{:20} {:>16} {:>16} {:>10}",
         "", "plain, ns", "ours, ns", "more, %"
     );
     for (pair, plain, ours) in timed {

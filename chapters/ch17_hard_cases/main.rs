@@ -59,8 +59,8 @@ fn work(desk: &mut Desk) -> Result<Ledger, DeskError> {
     Ok(Ledger {
         rays: 3 * leaving::SCALES as u64 * u64::from(each),
         ..Ledger::of(
-            "No ray is lost, none meets its own surface, and no sum forgets its samples; single \
-             routines take longer for it, a picture hardly.",
+            "No ray is lost, none meets its own surface, and no sum forgets its samples; most \
+             single routines take longer for it.",
         )
     })
 }
