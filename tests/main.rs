@@ -5,6 +5,7 @@ mod aiming;
 mod chapters;
 mod checks;
 mod cli;
+mod contacts;
 mod cost;
 mod determinism;
 mod effects;

@@ -130,7 +130,7 @@ fn at_each_moment_the_scene_is_one_that_stands_still() {
             let from = Surface { p, error, n };
             let u = numbers.two();
             let aimed = |tracer: &mut Tracer| {
-                tracer.sample_light(0, &from, u).map(|s| {
+                tracer.sample_light(0, &from, 0.5, u).map(|s| {
                     let (wi, ray) = (s.wi, s.shadow_ray);
                     (wi, ray.origin, ray.t_max, tracer.is_free(&ray))
                 })
@@ -182,7 +182,7 @@ impl Integrator for AimsAtTheStart {
             return Rgb::BLACK;
         };
         let u = stream.at(1, Purpose::LightPoint).two();
-        let Some(sample) = tracer.scene().lights[0].sample(&hit.surface, u) else {
+        let Some(sample) = tracer.scene().lights[0].sample(&hit.surface, 0.5, u) else {
             return Rgb::BLACK;
         };
         let cos = hit.surface.n.dot(sample.wi).max(0.0);

@@ -21,7 +21,7 @@ fn irradiance(light: &Light, samples: u32) -> Estimate {
     };
     let facing_up = |i: u32| {
         let u = Stream::new(9, i, 0).at(0, Purpose::LightPoint).two();
-        light.sample(&ground, u).map_or(0.0, |s| {
+        light.sample(&ground, 0.5, u).map_or(0.0, |s| {
             f64::from(s.incident.facing_irradiance().r * s.wi.y.max(0.0))
         })
     };

@@ -38,7 +38,7 @@ impl PickOne {
     ) -> Rgb {
         // The lamps' own numbers are those of their places in the list; this is the next one.
         let mut numbers = stream.at_item(place, Purpose::LightPoint, world.lamps() as u32);
-        let chosen = self.choice.sample(numbers.one());
+        let chosen = self.choice.sample(numbers.fine());
         match world.aim(at, chosen.index, place, stream) {
             Some(aimed) => aimed.light * (1.0 / chosen.probability),
             None => Rgb::BLACK,

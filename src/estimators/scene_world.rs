@@ -81,14 +81,15 @@ impl World<Solid> for SceneWorld<'_, '_> {
             n: at.n,
         };
         let mut irradiance = Rgb::BLACK;
-        for i in 0..self.tracer.scene().lights.len() {
-            let u = stream.at_item(node, Purpose::LightPoint, i as u32).two();
-            let Some(sample) = self.tracer.sample_light(i, &from, u) else {
+        for i in 0..self.tracer.scene().lamps() {
+            let mut numbers = stream.at_item(node, Purpose::LightPoint, i as u32);
+            let (u, pick) = (numbers.two(), numbers.fine());
+            let Some(sample) = self.tracer.sample_light(i, &from, pick, u) else {
                 continue;
             };
             let LightSample { wi, incident, .. } = sample;
             let cos = at.n.dot(wi);
-            if cos > 0.0 && !at.albedo.is_black() && self.tracer.is_free(&sample.shadow_ray) {
+            if cos > 0.0 && !at.albedo.is_black() && self.tracer.visible(i, &sample) {
                 irradiance += incident.facing_irradiance() * cos;
             }
         }

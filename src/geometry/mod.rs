@@ -24,7 +24,7 @@ pub use sphere::Sphere;
 pub use surface::Surface;
 pub use triangle::Triangle;
 
-use glam::Vec3;
+use glam::{DVec3, Vec3};
 
 /// Where a ray crosses a shape: how far along, and where on the shape.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -64,6 +64,16 @@ impl Shape {
             Shape::Sphere(s) => s.surface(ray, crossing),
             Shape::Quad(q) => q.surface(crossing),
             Shape::Triangle(t) => t.surface(crossing),
+        }
+    }
+
+    /// How far a point is from the shape's plane or sphere, in scene units; positive on the front
+    /// side.
+    pub fn height(&self, p: DVec3) -> f64 {
+        match self {
+            Shape::Sphere(s) => s.height(p),
+            Shape::Quad(q) => q.plane().height(p),
+            Shape::Triangle(t) => t.plane().height(p),
         }
     }
 

@@ -87,7 +87,7 @@ impl Quad {
 
     /// The plane through the middle of the corners and along both diagonals; the length of its
     /// normal is twice the area.
-    fn plane(&self) -> Plane {
+    pub(super) fn plane(&self) -> Plane {
         let corners = self.corners.map(|lanes| lanes.map(f64::from));
         let vector = |of: fn([f64; 4]) -> f64| DVec3::from(corners.map(of));
         Plane {

@@ -56,6 +56,12 @@ impl Sphere {
         (t > 0.0 && t <= t_max).then_some(Crossing { t, u: 0.0, v: 0.0 })
     }
 
+    /// How far a point is from the sphere, positive on its front.
+    pub(super) fn height(&self, p: glam::DVec3) -> f64 {
+        let outside = (p - self.center.as_dvec3()).length() - f64::from(self.radius);
+        if self.inward { -outside } else { outside }
+    }
+
     /// The surface where `ray` crosses.
     pub fn surface(&self, ray: &Ray, crossing: Crossing) -> Surface {
         let hit = ray.origin.as_dvec3() + ray.direction.as_dvec3() * f64::from(crossing.t);

@@ -47,6 +47,11 @@ impl Triangle {
         0.5 * self.cross_product().length()
     }
 
+    /// Unit normal.
+    pub fn normal(&self) -> Vec3 {
+        self.cross_product().normalize().as_vec3()
+    }
+
     /// Twice the area times the normal, in `f64`: the products of `f32` edges neither vanish nor
     /// overflow there.
     fn cross_product(&self) -> DVec3 {
@@ -67,11 +72,16 @@ impl Triangle {
     /// loop over a leaf's triangles short.
     #[inline(never)]
     fn distance(&self, ray: &PreparedRay, t_max: f32) -> Option<f32> {
-        let plane = Plane {
+        let entry = self.bounds().entry(ray, t_max)?;
+        self.plane().distance(ray, t_max, entry)
+    }
+
+    #[inline(always)]
+    pub(super) fn plane(&self) -> Plane {
+        Plane {
             point: self.a.as_dvec3(),
             normal: self.cross_product(),
-        };
-        plane.distance(ray, t_max, self.bounds().entry(ray, t_max)?)
+        }
     }
 
     /// The surface at a crossing.
@@ -81,7 +91,7 @@ impl Triangle {
         Surface {
             p: parts[0] + parts[1] + parts[2],
             error: (parts[0].abs() + parts[1].abs() + parts[2].abs()) * CORNER_SUM_ERROR,
-            n: self.cross_product().normalize().as_vec3(),
+            n: self.normal(),
         }
     }
 
@@ -144,6 +154,11 @@ pub(super) struct Plane {
 }
 
 impl Plane {
+    /// How far a point is from the plane, positive on the side of its normal.
+    pub(super) fn height(&self, p: DVec3) -> f64 {
+        (p - self.point).dot(self.normal.normalize())
+    }
+
     /// How far along the ray a flat shape is whose corners it passes between, and whose box it enters
     /// at `entry`; `None` where that is not within `0 < t <= t_max`.
     ///

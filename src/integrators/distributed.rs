@@ -122,10 +122,11 @@ impl Integrator for Distributed {
             let at = SolidPoint::new(here, ray.direction);
 
             // One point of each lamp.
-            for lamp in 0..tracer.scene().lights.len() {
+            for lamp in 0..tracer.scene().lamps() {
                 let mut u = stream.at_item(place, Integral::Light.purpose(), lamp as u32);
-                if let Some(sample) = tracer.sample_light(lamp, &here.surface, u.two())
-                    && tracer.is_free(&sample.shadow_ray)
+                let (u, pick) = (u.two(), u.fine());
+                if let Some(sample) = tracer.sample_light(lamp, &here.surface, pick, u)
+                    && tracer.visible(lamp, &sample)
                 {
                     let wi = at.frame.to_local(sample.wi);
                     let f_cos = material.f(at.wo, wi) * wi.z.abs();

@@ -4,8 +4,8 @@
 //! Simulates the paths `L(S|G|D)*E` of lamps with extent, of the background and the environment, and
 //! of point and directional lights `L(D|G)(S|G|D)*E`: the same light as `combine`.
 //!
-//! Differs from `combine`: one lamp is chosen by its power where that asks all, so that a scene may
-//! have thousands; a path that carries little may end before the depth cut; and where a scene has
+//! Differs from `combine`: one lamp is chosen by what it may give at the point, where that asks all,
+//! so that a scene may have thousands; a sky of one colour is aimed at like any other light; a path that carries little may end before the depth cut; and where a scene has
 //! mirrors or glass, some of the rays from other surfaces look there, for no shadow ray finds the
 //! light they focus. It is the ladder's last rung and puts its steps together; most have a rung of
 //! their own.
@@ -43,8 +43,6 @@ type Drawn = Option<(Surface, f32)>;
 /// Even a path that carries next to nothing lives on with this probability: what it may still find
 /// is not weighted up by more than its reciprocal.
 const LEAST_SURVIVAL: f32 = 0.05;
-/// Even a path that lost nothing ends once in a while.
-const MOST_SURVIVAL: f32 = 0.95;
 
 impl Path {
     /// A path tracer whose roulette starts with the fifth segment.
@@ -114,7 +112,7 @@ impl Path {
             // Does the path go on? If so, it also stands for those that did not. It is no worse for
             // being one of many that look for focused light, and carry less each.
             if depth >= self.roulette_from {
-                let q = kept.max_channel().clamp(LEAST_SURVIVAL, MOST_SURVIVAL);
+                let q = kept.max_channel().clamp(LEAST_SURVIVAL, 1.0);
                 let survives = numbers.one() < q;
                 if !survives {
                     break;
@@ -179,12 +177,12 @@ fn arriving<const MOVES: bool>(
             let light = hit.object.light.map(|light| light as usize);
             (hit.emitted(-ray.direction), light)
         }
-        None => (scene.background(ray.direction), scene.environment_light),
+        None => (scene.background(ray.direction), scene.beyond_light()),
     };
     match (drawn, light) {
         (Some((from, pdf)), Some(index)) if !radiance.is_black() => {
             let at = hit.map(|hit| &hit.surface);
-            let pdf_aim = scene.light_choice.probability(index)
+            let pdf_aim = scene.light_choice.probability(from.p, index)
                 * tracer.pdf_light(index, &from, ray.direction, at);
             radiance * Heuristic::Power.weight(pdf, pdf_aim)
         }
@@ -200,26 +198,27 @@ fn aim<const KINDS: u8, const MOVES: bool>(
 ) -> Rgb {
     let scene = tracer.scene();
     let at = onward.at;
-    let (u, pick) = (numbers.two(), numbers.one());
-    let Some((index, probability)) = scene.light_choice.choose(pick) else {
+    let from = &at.hit.surface;
+    let (u, pick) = (numbers.two(), numbers.fine());
+    let Some(chosen) = scene.light_choice.choose(from.p, pick) else {
         return Rgb::BLACK;
     };
-    let Some(sample) = tracer.sample_light(index, &at.hit.surface, u) else {
+    let Some(sample) = tracer.sample_light(chosen.index, from, chosen.rest, u) else {
         return Rgb::BLACK;
     };
     let wi = at.frame.to_local(sample.wi);
     let scattered = onward.material.f(at.wo, wi) * wi.z.abs();
-    if scattered.is_black() || !tracer.is_free(&sample.shadow_ray) {
+    if scattered.is_black() || !tracer.visible(chosen.index, &sample) {
         return Rgb::BLACK;
     }
     scattered
         * match sample.incident {
             Incident::Radiance { li, pdf } => {
-                let pdf_aim = pdf * probability;
+                let pdf_aim = pdf * chosen.probability;
                 let weight = Heuristic::Power.weight(pdf_aim, onward.pdf(wi, sample.wi));
                 li * (weight / pdf_aim)
             }
-            Incident::Irradiance(e) => e / probability,
+            Incident::Irradiance(e) => e / chosen.probability,
         }
 }
 

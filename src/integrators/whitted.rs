@@ -116,16 +116,17 @@ pub fn direct_light(tracer: &mut Tracer, ray: &Ray, hit: &Hit, node: u64, stream
     let frame = Frame::new(hit.surface.n);
     let wo = frame.to_local(-ray.direction);
     let mut light_out = Rgb::BLACK;
-    for i in 0..tracer.scene().lights.len() {
-        let u = stream.at_item(node, Purpose::LightPoint, i as u32).two();
-        let Some(sample) = tracer.sample_light(i, &hit.surface, u) else {
+    for i in 0..tracer.scene().lamps() {
+        let mut numbers = stream.at_item(node, Purpose::LightPoint, i as u32);
+        let (u, pick) = (numbers.two(), numbers.fine());
+        let Some(sample) = tracer.sample_light(i, &hit.surface, pick, u) else {
             continue;
         };
         let wi = frame.to_local(sample.wi);
         let f = material.f(wo, wi);
         let cos = wi.z.abs();
         // A shadow ray costs as much as any other: it is not sent where nothing could come of it.
-        if !f.is_black() && cos > 0.0 && tracer.is_free(&sample.shadow_ray) {
+        if !f.is_black() && cos > 0.0 && tracer.visible(i, &sample) {
             light_out += f * sample.incident.facing_irradiance() * cos;
         }
     }

@@ -1,27 +1,175 @@
 //! Which of many lights to ask.
 
 use super::Light;
+use super::bounds::LightBounds;
+use super::tree::LightTree;
 use crate::sampling::discrete::Discrete;
+use glam::Vec3;
 
-/// Chooses one of a scene's lights, with a probability proportional to its power.
+/// Chooses one of a scene's lights for a point, by what each may give there.
+///
+/// Lights that are infinitely far away, and all others, are groups of their own, for distance tells
+/// them apart: a sun counts the same everywhere, a lamp counts by how near it is. Neither group, and
+/// no light of a group, is ever left to chance alone: what the choice cannot know is what stands
+/// between a light and the point.
 #[derive(Clone, Debug, Default)]
-pub struct LightChoice(Option<Discrete>);
+pub struct LightChoice {
+    near: Option<Near>,
+    far: Option<Far>,
+}
+
+/// What was chosen.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct ChosenLight {
+    /// Its index among the scene's lights.
+    pub index: usize,
+    /// Its probability, positive.
+    pub probability: f32,
+    /// A uniform again, independent of the choice: it may choose a part of the light.
+    pub rest: f64,
+}
+
+/// Lights somewhere in the scene.
+#[derive(Clone, Debug)]
+struct Near {
+    tree: LightTree,
+    /// The number of each in the tree among the scene's lights.
+    indices: Vec<u32>,
+}
+
+/// Lights infinitely far away.
+#[derive(Clone, Debug)]
+struct Far {
+    by_fluence: Discrete,
+    indices: Vec<u32>,
+    fluence: f64,
+}
+
+/// Either group has at least this share of the choices.
+const LEAST_OF_A_GROUP: f64 = 0.25;
+/// So many choices are shared by all lights of a group alike.
+const ALIKE: f64 = 0.1;
+/// The largest uniform of 53 bits.
+const LAST: f64 = 1.0 - f64::EPSILON / 2.0;
 
 impl LightChoice {
-    /// The choice among `lights` in a scene of this radius (see [`Light::power`]).
-    pub fn by_power(lights: &[Light], scene_radius: f32) -> Self {
-        let power = |light: &Light| f64::from(light.power(scene_radius));
-        LightChoice(Discrete::new(lights.iter().map(power)))
+    /// The choice among `lights`, of which some move: `span` says how far while the shutter is open.
+    pub fn new(lights: &[Light], span: impl Fn(usize) -> Vec3) -> Self {
+        let (mut bounds, mut near) = (Vec::new(), Vec::new());
+        let (mut fluences, mut far) = (Vec::new(), Vec::new());
+        for (index, light) in lights.iter().enumerate().filter(|(_, l)| l.shines()) {
+            match LightBounds::of(light) {
+                Some(bound) => {
+                    bounds.push(bound.swept(span(index)));
+                    near.push(index as u32);
+                }
+                None => {
+                    fluences.push(light.fluence_from_afar());
+                    far.push(index as u32);
+                }
+            }
+        }
+        let fluence: f64 = fluences.iter().sum();
+        let alike = ALIKE / fluences.len() as f64;
+        let weights = fluences.iter().map(|f| (1.0 - ALIKE) * f / fluence + alike);
+        LightChoice {
+            near: LightTree::new(&bounds).map(|tree| Near {
+                tree,
+                indices: near,
+            }),
+            far: Discrete::new(weights).map(|by_fluence| Far {
+                by_fluence,
+                indices: far,
+                fluence,
+            }),
+        }
     }
 
-    /// The index of a light and its probability, positive; `None` where there is no light.
-    pub fn choose(&self, u: f32) -> Option<(usize, f32)> {
-        let choice = self.0.as_ref()?.sample(u);
-        Some((choice.index, choice.probability))
+    /// Draws a light for the point `p`; `None` where there is none, or all that are left on the way
+    /// down the tree shine away from there.
+    ///
+    /// * Domain: `u` in `[0, 1)`, of 53 bits.
+    /// * Probability: [`LightChoice::probability`].
+    pub fn choose(&self, p: Vec3, u: f64) -> Option<ChosenLight> {
+        let share = self.near_share(p);
+        let rescaled = |low: f64, share: f64| ((u - low) / share).clamp(0.0, LAST);
+        let (index, probability, rest) = match (&self.near, &self.far) {
+            (Some(near), _) if u < share => {
+                let (index, probability, rest) = near.choose(p, rescaled(0.0, share))?;
+                (index, probability * share, rest)
+            }
+            (_, Some(far)) => {
+                let chosen = far.by_fluence.sample(rescaled(share, 1.0 - share));
+                let probability = f64::from(chosen.probability) * (1.0 - share);
+                (far.indices[chosen.index], probability, chosen.rest)
+            }
+            _ => return None,
+        };
+        Some(ChosenLight {
+            index: index as usize,
+            probability: probability as f32,
+            rest,
+        })
     }
 
-    /// The probability with which [`LightChoice::choose`] returns the light `index`.
-    pub fn probability(&self, index: usize) -> f32 {
-        self.0.as_ref().map_or(0.0, |d| d.probability(index))
+    /// The probability with which [`LightChoice::choose`] draws the light `index` for the point `p`.
+    pub fn probability(&self, p: Vec3, index: usize) -> f32 {
+        let place = |indices: &[u32]| indices.binary_search(&(index as u32)).ok();
+        let share = self.near_share(p);
+        if let Some(near) = &self.near
+            && let Some(at) = place(&near.indices)
+        {
+            return (near.probability(p, at) * share) as f32;
+        }
+        if let Some(far) = &self.far
+            && let Some(at) = place(&far.indices)
+        {
+            return (f64::from(far.by_fluence.probability(at)) * (1.0 - share)) as f32;
+        }
+        0.0
     }
+
+    /// The share of the choices that the lights of the scene have at `p`, beside those from afar.
+    fn near_share(&self, p: Vec3) -> f64 {
+        match (&self.near, &self.far) {
+            (Some(_), None) => 1.0,
+            (None, _) => 0.0,
+            (Some(near), Some(far)) => {
+                let here = near.tree.fluence(p);
+                let share = here / (here + far.fluence);
+                share.clamp(LEAST_OF_A_GROUP, 1.0 - LEAST_OF_A_GROUP)
+            }
+        }
+    }
+}
+
+impl Near {
+    fn choose(&self, p: Vec3, u: f64) -> Option<(u32, f64, f64)> {
+        let count = self.indices.len();
+        if count == 1 {
+            return Some((self.indices[0], 1.0, u));
+        }
+        let (at, by_tree, rest) = if u < ALIKE {
+            let scaled = u / ALIKE * count as f64;
+            let at = (scaled as usize).min(count - 1) as u32;
+            let rest = (scaled - f64::from(at)).clamp(0.0, LAST);
+            (at, self.tree.probability(p, at), rest)
+        } else {
+            self.tree
+                .choose(p, ((u - ALIKE) / (1.0 - ALIKE)).min(LAST))?
+        };
+        Some((self.indices[at as usize], mixed(by_tree, count), rest))
+    }
+
+    fn probability(&self, p: Vec3, at: usize) -> f64 {
+        match self.indices.len() {
+            1 => 1.0,
+            count => mixed(self.tree.probability(p, at as u32), count),
+        }
+    }
+}
+
+/// The probability of a light that the tree draws so often, one of `count`.
+fn mixed(by_tree: f64, count: usize) -> f64 {
+    (1.0 - ALIKE) * by_tree + ALIKE / count as f64
 }

@@ -24,6 +24,7 @@ impl PointLight {
             wi: shadow_ray.direction.normalize(),
             incident: Incident::Irradiance(irradiance),
             shadow_ray,
+            part: 0,
         })
     }
 }
@@ -44,6 +45,7 @@ impl DirectionalLight {
             wi: self.from,
             incident: Incident::Irradiance(self.irradiance),
             shadow_ray: from.spawn(self.from),
+            part: 0,
         }
     }
 }

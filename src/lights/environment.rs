@@ -3,9 +3,12 @@
 use super::{Incident, LightSample, mean};
 use crate::color::Rgb;
 use crate::geometry::Surface;
-use crate::sampling::discrete::Discrete;
+use crate::sampling::discrete::{Discrete, refined};
 use glam::{DVec3, Vec3};
 use std::f64::consts::{FRAC_1_PI, PI, TAU};
+
+/// Of the 53 bits of a uniform, the first 24 refine one choice, the others a second.
+const FINER: f64 = (1 << 24) as f64;
 
 /// An image around the scene, in latitude and longitude.
 ///
@@ -70,16 +73,20 @@ impl EnvironmentLight {
     /// Draws a direction with a density proportional to the luminance it has; `None` where rounding
     /// takes it into a black pixel.
     ///
+    /// * Domain: `u` in `[0, 1)²`; `pick` in `[0, 1)` refines both, so that no pixel is too faint to
+    ///   be drawn.
     /// * Method: a row by its luminance times its solid angle, a column by its luminance, and in the
     ///   pixel uniformly in solid angle: the cosine of the polar angle is uniform.
     /// * Density: [`EnvironmentLight::pdf`].
-    pub fn sample(&self, from: &Surface, u: [f32; 2]) -> Option<LightSample> {
-        let row = self.rows.sample(u[0]);
-        let column = self.columns[row.index].as_ref()?.sample(u[1]);
+    pub fn sample(&self, from: &Surface, pick: f64, u: [f32; 2]) -> Option<LightSample> {
+        let below = [pick, (pick * FINER).fract()];
+        let row = self.rows.sample(refined(u[0], below[0]));
+        let columns = self.columns[row.index].as_ref()?;
+        let column = columns.sample(refined(u[1], below[1]));
         let [top, bottom] = [self.cosines[row.index], self.cosines[row.index + 1]];
-        let cos = top + f64::from(row.rest) * (bottom - top);
+        let cos = top + row.rest * (bottom - top);
         let sin = ((1.0 - cos) * (1.0 + cos)).sqrt();
-        let across = (column.index as f64 + f64::from(column.rest)) / self.width as f64;
+        let across = (column.index as f64 + column.rest) / self.width as f64;
         let (sin_phi, cos_phi) = libm::sincos(TAU * (across - 0.5) - self.turn);
         let wi = DVec3::new(sin * sin_phi, cos, -sin * cos_phi).as_vec3();
         let pdf = self.pdf(wi);
@@ -90,6 +97,7 @@ impl EnvironmentLight {
                 pdf,
             },
             shadow_ray: from.spawn(wi),
+            part: 0,
         })
     }
 

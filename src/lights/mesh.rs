@@ -1,38 +1,63 @@
-//! A mesh that shines on the front of each of its triangles.
+//! A mesh that shines on the front of each of its triangles, or on both sides.
 
-use super::triangle::sample_by_area;
-use super::{LightSample, faces, pdf_by_area};
+use super::triangle::{at, by_area};
+use super::{LightSample, faces, pdf_by_area, shining};
 use crate::color::Rgb;
 use crate::geometry::{Surface, Triangle};
-use crate::sampling::discrete::Discrete;
+use crate::sampling::discrete::{Discrete, refined};
+use crate::sampling::{as_uniform, warps};
 use glam::Vec3;
 
-/// Triangles of one radiance on their front sides.
+/// Triangles of one radiance on their front sides, or on both.
 #[derive(Clone, Debug)]
 pub struct MeshLight {
     triangles: Vec<Triangle>,
     by_area: Discrete,
     radiance: Rgb,
+    two_sided: bool,
 }
 
 impl MeshLight {
     /// The light of these triangles; `None` where they have no area.
     ///
-    /// * `radiance`: in W/(m² sr), in every direction of the front sides.
+    /// * `radiance`: in W/(m² sr), in every direction of a side that shines.
     pub fn new(triangles: Vec<Triangle>, radiance: Rgb) -> Option<Self> {
         Some(MeshLight {
             by_area: Discrete::new(triangles.iter().map(Triangle::area))?,
             triangles,
             radiance,
+            two_sided: false,
         })
+    }
+
+    /// The same light on both sides.
+    #[must_use]
+    pub fn two_sided(self) -> Self {
+        MeshLight {
+            two_sided: true,
+            ..self
+        }
+    }
+
+    /// True for light on both sides.
+    pub fn is_two_sided(&self) -> bool {
+        self.two_sided
+    }
+
+    /// Its triangles.
+    pub fn triangles(&self) -> &[Triangle] {
+        &self.triangles
     }
 
     /// Draws a point of the light, uniformly in area: a triangle by its share of all area, then a
     /// point of the triangle. `None` where the point shines away.
     ///
+    /// * Domain: `u` in `[0, 1)²`; `pick` in `[0, 1)` refines the first, so that no triangle is too
+    ///   small to be drawn.
+    ///
     /// Density: `d² / (A cos θ_light)` with the area `A` of the whole mesh, in 1/sr.
-    pub fn sample(&self, from: &Surface, u: [f32; 2]) -> Option<LightSample> {
-        self.sample_moved(Vec3::ZERO, from, u)
+    pub fn sample(&self, from: &Surface, pick: f64, u: [f32; 2]) -> Option<LightSample> {
+        self.sample_moved(Vec3::ZERO, from, pick, u)
     }
 
     /// [`MeshLight::sample`] of the light moved by a vector.
@@ -40,12 +65,19 @@ impl MeshLight {
         &self,
         by: Vec3,
         from: &Surface,
+        pick: f64,
         u: [f32; 2],
     ) -> Option<LightSample> {
-        let choice = self.by_area.sample(u[0]);
-        let u = [choice.rest, u[1]];
-        let triangle = self.triangles[choice.index].moved(by);
-        sample_by_area(&triangle, self.area(), self.radiance, from, u)
+        let chosen = self.by_area.sample(refined(u[0], pick));
+        let part = chosen.index;
+        let [b, c] = warps::sample_triangle([as_uniform(chosen.rest as f32), u[1]]);
+        let target = at(&self.triangles[part].moved(by), b, c);
+        let target = shining(target, self.two_sided, from);
+        let sample = by_area(&target, self.area(), self.radiance, from)?;
+        Some(LightSample {
+            part: part as u32,
+            ..sample
+        })
     }
 
     /// Density of [`MeshLight::sample`] in 1/sr, of the point `at` in the direction `wi`.
@@ -53,8 +85,9 @@ impl MeshLight {
     /// What a ray meets first is at most one point of the mesh, so that no other triangle adds to
     /// it: those behind it are in its shadow.
     pub fn pdf(&self, from: &Surface, wi: Vec3, at: &Surface) -> f32 {
-        if faces(*at, from) {
-            pdf_by_area(self.area(), from, wi, at)
+        let at = shining(*at, self.two_sided, from);
+        if faces(at, from) {
+            pdf_by_area(self.area(), from, wi, &at)
         } else {
             0.0
         }
@@ -65,7 +98,7 @@ impl MeshLight {
         self.by_area.total()
     }
 
-    /// In W/(m² sr), in every direction of the front sides.
+    /// In W/(m² sr), in every direction of a side that shines.
     pub fn radiance(&self) -> Rgb {
         self.radiance
     }

@@ -1,20 +1,26 @@
 //! Lights one can aim at: where light comes from, as seen from a surface.
 
+mod bounds;
 mod choice;
 mod delta;
 mod environment;
 mod mesh;
 mod moved;
 mod quad;
+mod sky;
 mod sphere;
+mod tree;
 mod triangle;
 
-pub use choice::LightChoice;
+pub use bounds::LightBounds;
+pub use choice::{ChosenLight, LightChoice};
 pub use delta::{DirectionalLight, PointLight};
 pub use environment::EnvironmentLight;
 pub use mesh::MeshLight;
 pub use quad::QuadLight;
+pub use sky::SkyLight;
 pub use sphere::SphereLight;
+pub use tree::LightTree;
 pub use triangle::TriangleLight;
 
 use crate::color::Rgb;
@@ -29,16 +35,18 @@ pub enum Light {
     Point(PointLight),
     /// A direction.
     Directional(DirectionalLight),
-    /// A parallelogram, on its normal's side.
+    /// A parallelogram, on its normal's side or on both.
     Quad(QuadLight),
     /// A sphere, outwards.
     Sphere(SphereLight),
-    /// A triangle, on its front side.
+    /// A triangle, on its front side or on both.
     Triangle(TriangleLight),
-    /// A mesh, on the front sides of its triangles.
+    /// A mesh, on the front sides of its triangles or on both.
     Mesh(MeshLight),
     /// An image around the scene.
     Environment(EnvironmentLight),
+    /// The same radiance from everywhere around the scene.
+    Sky(SkyLight),
 }
 
 /// Light that would arrive if nothing were in its way.
@@ -50,6 +58,9 @@ pub struct LightSample {
     pub incident: Incident,
     /// The ray that must be free for it to arrive.
     pub shadow_ray: Ray,
+    /// Which of the light's surfaces it comes from: the number of a triangle of a mesh, 0 for all
+    /// other lights.
+    pub part: u32,
 }
 
 /// How much light comes from one direction.
@@ -79,15 +90,20 @@ impl Incident {
 
 impl Light {
     /// Draws a direction in which `from` may receive light; `None` where it receives none.
-    pub fn sample(&self, from: &Surface, u: [f32; 2]) -> Option<LightSample> {
+    ///
+    /// * `u` in `[0, 1)²` chooses a point of it.
+    /// * `pick` in `[0, 1)` refines `u` where one of many is chosen, a triangle of a mesh or a pixel
+    ///   of an image. Other lights do not look at it.
+    pub fn sample(&self, from: &Surface, pick: f64, u: [f32; 2]) -> Option<LightSample> {
         match self {
             Light::Point(l) => l.sample(from),
             Light::Directional(l) => Some(l.sample(from)),
             Light::Quad(l) => l.sample(from, u),
             Light::Sphere(l) => l.sample(from, u),
             Light::Triangle(l) => l.sample(from, u),
-            Light::Mesh(l) => l.sample(from, u),
-            Light::Environment(l) => l.sample(from, u),
+            Light::Mesh(l) => l.sample(from, pick, u),
+            Light::Environment(l) => l.sample(from, pick, u),
+            Light::Sky(l) => l.sample(from, u),
         }
     }
 
@@ -104,6 +120,7 @@ impl Light {
             (Light::Triangle(l), Some(at)) => l.pdf(from, wi, at),
             (Light::Mesh(l), Some(at)) => l.pdf(from, wi, at),
             (Light::Environment(l), None) => l.pdf(wi),
+            (Light::Sky(l), None) => l.pdf(from, wi),
             _ => 0.0,
         }
     }
@@ -113,27 +130,28 @@ impl Light {
         matches!(self, Light::Point(_) | Light::Directional(_))
     }
 
-    /// Emitted power in W, mean over channels: what a light counts for where one of many is chosen.
-    ///
-    /// * `scene_radius`: of a sphere around the scene; a light that is infinitely far away is worth
-    ///   what it sends through a disc of this radius.
-    ///
-    /// Finite; positive for every light that shines, however faint.
-    pub fn power(&self, scene_radius: f32) -> f32 {
-        let disc = PI * f64::from(scene_radius).powi(2);
-        let power = match self {
-            Light::Point(l) => 4.0 * PI * mean(l.intensity),
-            Light::Directional(l) => disc * mean(l.irradiance),
-            Light::Quad(l) => PI * f64::from(l.quad().area()) * mean(l.radiance()),
-            Light::Sphere(l) => PI * l.area() * mean(l.radiance),
-            Light::Triangle(l) => PI * l.triangle.area() * mean(l.radiance),
-            Light::Mesh(l) => PI * l.area() * mean(l.radiance()),
-            Light::Environment(l) => disc * l.fluence(),
-        };
-        if power > 0.0 {
-            power.clamp(f64::from(f32::MIN_POSITIVE), f64::from(f32::MAX)) as f32
-        } else {
-            0.0
+    /// True where there is any light, however faint.
+    pub fn shines(&self) -> bool {
+        match self {
+            Light::Point(l) => !l.intensity.is_black(),
+            Light::Directional(l) => !l.irradiance.is_black(),
+            Light::Quad(l) => !l.radiance().is_black(),
+            Light::Sphere(l) => !l.radiance.is_black(),
+            Light::Triangle(l) => !l.radiance.is_black(),
+            Light::Mesh(l) => !l.radiance().is_black(),
+            Light::Environment(_) => true,
+            Light::Sky(l) => !l.radiance.is_black(),
+        }
+    }
+
+    /// The fluence `∫ L dω` of a light that is infinitely far away, in W/m², mean over channels; 0
+    /// for all others, whose fluence depends on the point.
+    pub fn fluence_from_afar(&self) -> f64 {
+        match self {
+            Light::Directional(l) => mean(l.irradiance),
+            Light::Environment(l) => l.fluence(),
+            Light::Sky(l) => 4.0 * PI * mean(l.radiance),
+            _ => 0.0,
         }
     }
 }
@@ -179,6 +197,17 @@ impl Extent {
     }
 }
 
+/// The point `at` of a flat light with its normal on the side that shines towards `from`: for a light
+/// with two sides that on which `from` is.
+fn shining(at: Surface, two_sided: bool, from: &Surface) -> Surface {
+    let way = from.p.as_dvec3() - at.p.as_dvec3();
+    if two_sided && way.dot(at.n.as_dvec3()) < 0.0 {
+        Surface { n: -at.n, ..at }
+    } else {
+        at
+    }
+}
+
 /// True where `from` is before the front of a flat light and surely not on it: a point of the light
 /// itself, rounded outwards, would see the light beneath its feet.
 fn faces(light: Surface, from: &Surface) -> bool {
@@ -207,6 +236,7 @@ fn towards(
         wi,
         incident: Incident::Radiance { li: radiance, pdf },
         shadow_ray: from.spawn_to(target),
+        part: 0,
     })
 }
 

@@ -9,13 +9,21 @@ impl Light {
     /// those without a surface stay where they are.
     ///
     /// [`Shape::moved`]: crate::geometry::Shape::moved
-    pub fn sample_moved(&self, by: Vec3, from: &Surface, u: [f32; 2]) -> Option<LightSample> {
+    pub fn sample_moved(
+        &self,
+        by: Vec3,
+        from: &Surface,
+        pick: f64,
+        u: [f32; 2],
+    ) -> Option<LightSample> {
         match self {
             Light::Quad(l) => l.sample_moved(by, from, u),
             Light::Sphere(l) => l.moved(by).sample(from, u),
             Light::Triangle(l) => l.moved(by).sample(from, u),
-            Light::Mesh(l) => l.sample_moved(by, from, u),
-            Light::Point(_) | Light::Directional(_) | Light::Environment(_) => self.sample(from, u),
+            Light::Mesh(l) => l.sample_moved(by, from, pick, u),
+            Light::Point(_) | Light::Directional(_) | Light::Environment(_) | Light::Sky(_) => {
+                self.sample(from, pick, u)
+            }
         }
     }
 
@@ -34,7 +42,11 @@ impl Light {
 impl QuadLight {
     /// The same light in another place.
     pub(super) fn moved(&self, by: Vec3) -> Self {
-        QuadLight::new(self.quad().moved(by), self.radiance())
+        let there = QuadLight::new(self.quad().moved(by), self.radiance());
+        match self.is_two_sided() {
+            true => there.two_sided(),
+            false => there,
+        }
     }
 }
 

@@ -1,6 +1,6 @@
-//! A parallelogram that shines on one side.
+//! A parallelogram that shines on one side or on both.
 
-use super::{Extent, LightSample, SMALLEST_SOLID_ANGLE, faces, pdf_by_area, towards};
+use super::{Extent, LightSample, SMALLEST_SOLID_ANGLE, faces, pdf_by_area, shining, towards};
 use crate::color::Rgb;
 use crate::geometry::{Quad, Surface};
 use crate::sampling::spherical_rectangle::SphericalRectangle;
@@ -10,11 +10,12 @@ use glam::{DVec3, Vec3};
 /// rounding of corners bends most of them.
 const RIGHT_ANGLE: f64 = 1e-5;
 
-/// A parallelogram of constant radiance on the side of its normal.
+/// A parallelogram of constant radiance on the side of its normal, or on both.
 #[derive(Clone, Copy, Debug)]
 pub struct QuadLight {
     quad: Quad,
     radiance: Rgb,
+    two_sided: bool,
     area: f64,
     extent: Extent,
     /// `None` where its edges are not at a right angle.
@@ -51,10 +52,25 @@ impl QuadLight {
         QuadLight {
             quad,
             radiance,
+            two_sided: false,
             area: f64::from(quad.area()),
             extent: Extent::of(quad.corners()),
             rectangle: Rectangle::of(&quad),
         }
+    }
+
+    /// The same light on both sides.
+    #[must_use]
+    pub fn two_sided(self) -> Self {
+        QuadLight {
+            two_sided: true,
+            ..self
+        }
+    }
+
+    /// True for light on both sides.
+    pub fn is_two_sided(&self) -> bool {
+        self.two_sided
     }
 
     /// Its shape.
@@ -62,7 +78,7 @@ impl QuadLight {
         &self.quad
     }
 
-    /// In W/(m² sr), in every direction of the front side.
+    /// In W/(m² sr), in every direction of a side that shines.
     pub fn radiance(&self) -> Rgb {
         self.radiance
     }
@@ -92,7 +108,7 @@ impl QuadLight {
             return self.sample_area_bent(bend, from, u);
         };
         let [s, t] = seen.place(seen.rectangle.sample(u));
-        let target = self.bent_surface(bend, s, t);
+        let target = shining(self.bent_surface(bend, s, t), self.two_sided, from);
         towards(from, &target, self.radiance, |_| {
             seen.rectangle.pdf() as f32
         })
@@ -107,7 +123,7 @@ impl QuadLight {
     }
 
     fn sample_area_bent(&self, bend: Vec3, from: &Surface, u: [f32; 2]) -> Option<LightSample> {
-        let target = self.bent_surface(bend, u[0], u[1]);
+        let target = shining(self.bent_surface(bend, u[0], u[1]), self.two_sided, from);
         towards(from, &target, self.radiance, |wi| {
             pdf_by_area(self.area, from, wi, &target)
         })
@@ -121,12 +137,13 @@ impl QuadLight {
 
     /// Density of [`QuadLight::sample`] in 1/sr, in the direction `wi` that meets the light in `at`.
     pub fn pdf(&self, from: &Surface, wi: Vec3, at: &Surface) -> f32 {
-        if !(faces(*at, from) && at.n.dot(wi) < 0.0) {
+        let at = shining(*at, self.two_sided, from);
+        if !(faces(at, from) && at.n.dot(wi) < 0.0) {
             return 0.0;
         }
         match self.seen_from(from) {
             Some(seen) => seen.rectangle.pdf() as f32,
-            None => pdf_by_area(self.area, from, wi, at),
+            None => pdf_by_area(self.area, from, wi, &at),
         }
     }
 

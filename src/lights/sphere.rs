@@ -62,6 +62,7 @@ impl SphereLight {
                 pdf: warps::pdf_cone(cone.one_minus_cos_max),
             },
             shadow_ray,
+            part: 0,
         })
     }
 

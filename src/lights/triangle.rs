@@ -1,18 +1,20 @@
-//! A triangle that shines on one side.
+//! A triangle that shines on one side or on both.
 
-use super::{Extent, LightSample, SMALLEST_SOLID_ANGLE, faces, pdf_by_area, towards};
+use super::{Extent, LightSample, SMALLEST_SOLID_ANGLE, faces, pdf_by_area, shining, towards};
 use crate::color::Rgb;
 use crate::geometry::{Crossing, Surface, Triangle};
 use crate::sampling::{spherical_triangle::SphericalTriangle, warps};
 use glam::{DVec3, Vec3};
 
-/// A triangle of constant radiance on the side of its normal.
+/// A triangle of constant radiance on the side of its normal, or on both.
 #[derive(Clone, Copy, Debug)]
 pub struct TriangleLight {
     /// Its shape, which has an area.
     pub triangle: Triangle,
-    /// In W/(m² sr), in every direction of the front side.
+    /// In W/(m² sr), in every direction of a side that shines.
     pub radiance: Rgb,
+    /// True for light on both sides.
+    pub two_sided: bool,
 }
 
 impl TriangleLight {
@@ -22,23 +24,25 @@ impl TriangleLight {
     /// Density: `1 / Ω`, else `d² / (A cos θ_light)`, in 1/sr.
     pub fn sample(&self, from: &Surface, u: [f32; 2]) -> Option<LightSample> {
         let Some(seen) = self.seen_from(from) else {
-            return sample_by_area(&self.triangle, self.triangle.area(), self.radiance, from, u);
+            let [b, c] = warps::sample_triangle(u);
+            let target = shining(at(&self.triangle, b, c), self.two_sided, from);
+            return by_area(&target, self.triangle.area(), self.radiance, from);
         };
         let [b, c] = self.weights(from, seen.sample(u));
-        towards(from, &at(&self.triangle, b, c), self.radiance, |_| {
-            seen.pdf() as f32
-        })
+        let target = shining(at(&self.triangle, b, c), self.two_sided, from);
+        towards(from, &target, self.radiance, |_| seen.pdf() as f32)
     }
 
     /// Density of [`TriangleLight::sample`] in 1/sr, in the direction `wi` that meets the light in
     /// `at`.
     pub fn pdf(&self, from: &Surface, wi: Vec3, at: &Surface) -> f32 {
-        if !(faces(*at, from) && at.n.dot(wi) < 0.0) {
+        let at = shining(*at, self.two_sided, from);
+        if !(faces(at, from) && at.n.dot(wi) < 0.0) {
             return 0.0;
         }
         match self.seen_from(from) {
             Some(seen) => seen.pdf() as f32,
-            None => pdf_by_area(self.triangle.area(), from, wi, at),
+            None => pdf_by_area(self.triangle.area(), from, wi, &at),
         }
     }
 
@@ -69,22 +73,19 @@ impl TriangleLight {
     }
 }
 
-/// Draws a point of a triangle, uniformly in its area, as one of a light of area `area`.
-pub(super) fn sample_by_area(
-    triangle: &Triangle,
+/// The light of a point that was drawn uniformly in the area of a light.
+pub(super) fn by_area(
+    target: &Surface,
     area: f64,
     radiance: Rgb,
     from: &Surface,
-    u: [f32; 2],
 ) -> Option<LightSample> {
-    let [b, c] = warps::sample_triangle(u);
-    let target = at(triangle, b, c);
-    towards(from, &target, radiance, |wi| {
-        pdf_by_area(area, from, wi, &target)
+    towards(from, target, radiance, |wi| {
+        pdf_by_area(area, from, wi, target)
     })
 }
 
 /// The point of a triangle whose second and third corner have these weights.
-fn at(triangle: &Triangle, u: f32, v: f32) -> Surface {
+pub(super) fn at(triangle: &Triangle, u: f32, v: f32) -> Surface {
     triangle.surface(Crossing { t: 0.0, u, v })
 }

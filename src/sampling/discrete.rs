@@ -1,7 +1,5 @@
 //! Choosing one of many, each with a weight of its own.
 
-use super::as_uniform;
-
 /// A distribution over the indices `0..n`, proportional to weights.
 ///
 /// Sums of weights are `f64`. A weight that vanishes beside the sum of those before it is never
@@ -22,11 +20,17 @@ pub struct Choice {
     pub probability: f32,
     /// Where in the chosen one's share of `[0, 1)` the uniform lay: a uniform again, independent of
     /// what was chosen, with as many bits fewer as the choice took.
-    pub rest: f32,
+    pub rest: f64,
 }
 
-/// Half the distance between neighbouring uniforms.
-const HALF_STEP: f64 = 0.25 * f32::EPSILON as f64;
+/// A uniform of 24 bits, as they place points, with as many again below them, taken from `below`
+/// in `[0, 1)`: what places evenly chooses evenly too.
+pub fn refined(u: f32, below: f64) -> f64 {
+    f64::from(u) + below * (0.5 * f64::from(f32::EPSILON))
+}
+
+/// The largest uniform of 53 bits.
+const LAST_FINE: f64 = 1.0 - f64::EPSILON / 2.0;
 
 impl Discrete {
     /// The distribution of these weights, finite and not negative; `None` where none is positive.
@@ -45,18 +49,23 @@ impl Discrete {
 
     /// Draws an index.
     ///
-    /// * Domain: `u` in `[0, 1)`, a multiple of 2^-24, taken in the middle of its step.
+    /// * Domain: `u` in `[0, 1)` with the 53 bits of [`Numbers::fine`]. A share between two
+    ///   neighbouring uniforms is never drawn: of the 24 bits that place a point, that would take
+    ///   away whatever has less than a sixteen-millionth of the weight.
     /// * Probability: weight over sum of weights ([`Discrete::probability`]).
     /// * Method: inversion, by bisection of the sums.
-    pub fn sample(&self, u: f32) -> Choice {
-        let x = (f64::from(u) + HALF_STEP) * self.total;
+    ///
+    /// [`Numbers::fine`]: super::stream::Numbers::fine
+    pub fn sample(&self, u: f64) -> Choice {
+        let x = u * self.total;
         // The first sum above x: where nothing was added, the sum before is above x as well.
         let index = self.sums.partition_point(|sum| *sum <= x);
         let (low, high) = self.share(index);
         Choice {
             index,
             probability: ((high - low) / self.total) as f32,
-            rest: as_uniform(((x - low) / (high - low)) as f32),
+            // Rounding may lift it to 1, where no uniform lies.
+            rest: ((x - low) / (high - low)).clamp(0.0, LAST_FINE),
         }
     }
 

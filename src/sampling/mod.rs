@@ -23,6 +23,6 @@ pub mod warps;
 pub const LAST_UNIFORM: f32 = 1.0 - f32::EPSILON / 2.0;
 
 /// A number of `[0, 1]` as a uniform: rounding may have lifted it to 1, where no uniform lies.
-fn as_uniform(x: f32) -> f32 {
+pub(crate) fn as_uniform(x: f32) -> f32 {
     x.clamp(0.0, LAST_UNIFORM)
 }

@@ -181,6 +181,20 @@ impl Numbers {
         }
     }
 
+    /// The next uniform with 53 bits, to choose one of many: its first 24 are those of
+    /// [`Numbers::one`].
+    #[inline]
+    pub fn fine(&mut self) -> f64 {
+        let coarse = f64::from(self.one());
+        let below: f64 = match &mut self.0 {
+            Kind::Independent(numbers) => numbers.random::<u32>().into(),
+            Kind::Even { rest, .. } => rest.random::<u32>().into(),
+            Kind::Middle => return coarse,
+        };
+        // 2^-24 is the step of the coarse one; 29 bits are left of the 53.
+        coarse + (below / 8.0).floor() * f64::EPSILON / 2.0
+    }
+
     /// The next two uniforms, in order.
     #[inline]
     pub fn two(&mut self) -> [f32; 2] {

@@ -15,7 +15,11 @@ impl Scene {
             match light {
                 Light::Point(_) | Light::Directional(_) => return None,
                 Light::Environment(image) => emission = emission.max(image.brightest()),
-                Light::Sphere(_) | Light::Quad(_) | Light::Triangle(_) | Light::Mesh(_) => {}
+                Light::Sphere(_)
+                | Light::Quad(_)
+                | Light::Triangle(_)
+                | Light::Mesh(_)
+                | Light::Sky(_) => {}
             }
         }
         let mut albedo = 0.0_f32;

@@ -4,16 +4,17 @@ mod materials;
 
 use super::description::{self as said, Description};
 use super::field::{self, Checked, Field, exactly_one};
+use super::lamps::Emission;
 use super::motion::{self, Shutter};
 use super::parts::Parts;
 use super::placement::Placement;
 use super::{
-    BuildReport, Casters, Inventory, Object, Scene, Sky, Suggested, lamps, mesh_file, procedural,
-    spacing,
+    BuildReport, Casters, Contacts, Inventory, Object, Scene, Sky, Suggested, lamps, mesh_file,
+    procedural, spacing,
 };
 use crate::camera::{Camera, Lens};
 use crate::geometry::{Bvh, Mesh, Quad, Shape, Sphere};
-use crate::lights::LightChoice;
+use crate::lights::{Light, LightChoice, SkyLight};
 use crate::materials::Material;
 use glam::{DVec3, Vec3};
 use std::collections::BTreeSet;
@@ -66,13 +67,26 @@ pub fn build(said: &Description, folder: Option<&Path>) -> Checked<Scene> {
         .keys()
         .filter(|name| !parts.used.contains(*name));
     let unused: Vec<String> = unused.cloned().collect();
-    let environment_light = environment.is_some().then_some(parts.lights.len());
+    let lamps = parts.lights.len();
+    let environment_light = environment.is_some().then_some(lamps);
+    let sky_light = (environment.is_none() && !background.is_black()).then_some(lamps);
     parts.lights.extend(environment);
-    let radius = motion::radius(&parts.all, &parts.spans);
+    parts.lights.extend(sky_light.map(|_| {
+        Light::Sky(SkyLight {
+            radiance: background,
+        })
+    }));
     let count = parts.all.len();
     let coarse = spacing::coarse(parts.all.iter().map(|(shape, _)| shape));
     let (shapes, object_of_shape, in_motion) =
         motion::part(parts.all, &parts.objects, &parts.spans, parts.lights.len());
+    let placed = motion::placed(&shapes, &object_of_shape, in_motion.as_ref());
+    let contacts = Contacts::new(&placed, &parts.objects, parts.lights.len());
+    let span = |light: usize| {
+        let moves = in_motion.as_ref();
+        moves.map_or(Vec3::ZERO, |m| m.span_of_light[light])
+    };
+    let light_choice = LightChoice::new(&parts.lights, span);
     let casters = Casters::new(&parts.objects, &shapes, &object_of_shape);
     let inventory = Inventory {
         point_lights: parts.lights.iter().filter(|l| l.is_delta()).count(),
@@ -94,7 +108,8 @@ pub fn build(said: &Description, folder: Option<&Path>) -> Checked<Scene> {
         size,
         background,
         environment_light,
-        light_choice: LightChoice::by_power(&parts.lights, radius),
+        sky_light,
+        light_choice,
         lights: parts.lights,
         casters,
         suggested,
@@ -112,6 +127,7 @@ pub fn build(said: &Description, folder: Option<&Path>) -> Checked<Scene> {
         object_of_shape,
         bvh: Bvh::new(&shapes),
         in_motion,
+        contacts,
     })
 }
 
@@ -176,9 +192,15 @@ impl Parts<'_> {
             None => None,
         };
         let emission = match said.emits {
-            Some(color) => Some(field::light(&field.key("emits"), color)?),
+            Some(color) => Some(Emission {
+                radiance: field::light(&field.key("emits"), color)?,
+                two_sided: said.two_sided.unwrap_or(false),
+            }),
             None => None,
         };
+        if said.two_sided.is_some() {
+            self.check_two_sided(&field.key("two_sided"), said)?;
+        }
         if material.is_none() && emission.is_none() {
             return Err(field.problem("needs a `material`, or `emits`, or both"));
         }
@@ -190,7 +212,7 @@ impl Parts<'_> {
             self.inventory.count(material, &shapes);
         }
         match emission {
-            Some(radiance) => self.push_lamp(shapes, material, radiance, way.span),
+            Some(emission) => self.push_lamp(shapes, material, emission, way.span),
             None => self.push(shapes, material, None),
         }
         self.spans.resize(self.objects.len(), way.span);
@@ -198,6 +220,17 @@ impl Parts<'_> {
             let moves = way.span != Vec3::ZERO;
             self.inventory.moving += usize::from(moves);
             self.inventory.frozen += usize::from(!moves);
+        }
+        Ok(())
+    }
+
+    /// A complaint where light on both sides has no meaning.
+    fn check_two_sided(&self, field: &Field, said: &said::Object) -> Checked<()> {
+        if said.emits.is_none() {
+            return Err(field.problem("is only possible with `emits`: it says which sides shine"));
+        }
+        if said.sphere.is_some() || said.cuboid.is_some() {
+            return Err(field.problem("is only possible for a quad, a triangle or a mesh"));
         }
         Ok(())
     }

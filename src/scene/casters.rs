@@ -229,6 +229,7 @@ mod tests {
         let object = |(material, _, _)| Object {
             material: Some(material),
             emission: Rgb::BLACK,
+            two_sided: false,
             light: None,
         };
         let shape = |(_, x, radius)| Shape::Sphere(Sphere::new(Vec3::new(x, 0.0, 0.0), radius));
@@ -281,6 +282,7 @@ mod tests {
         let object = |material: Option<Material>| Object {
             material,
             emission: Rgb::BLACK,
+            two_sided: false,
             light: material.is_none().then_some(0),
         };
         let ball = |x, y, radius| Shape::Sphere(Sphere::new(Vec3::new(x, y, 0.0), radius));

@@ -125,6 +125,8 @@ pub struct Object {
     pub material: Option<String>,
     /// Radiance emitted on the front side.
     pub emits: Option<Color>,
+    /// True for light on both sides; of quads, triangles and meshes.
+    pub two_sided: Option<bool>,
     /// Where the shape is put.
     pub transform: Option<Transform>,
     /// How far it moves in a unit of time; at time 0 it is where its shape is put.

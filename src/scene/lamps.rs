@@ -6,7 +6,7 @@ use super::field::{self, Checked, Field, exactly_one};
 use super::image_file;
 use super::parts::Parts;
 use crate::color::Rgb;
-use crate::geometry::Shape;
+use crate::geometry::{Shape, Triangle};
 use crate::lights::{
     DirectionalLight, EnvironmentLight, Light, MeshLight, PointLight, QuadLight, SphereLight,
     TriangleLight,
@@ -41,17 +41,19 @@ impl Parts<'_> {
 
     /// Adds shapes that shine: all triangles as one light, all others one by one.
     ///
-    /// A lamp in the very place of an earlier one is left out and counted: no ray ever meets it, and
-    /// aimed at it would shine all the same.
+    /// A lamp in the very place of an earlier one is left out and counted: no ray ever meets it.
     pub(super) fn push_lamp(
         &mut self,
         mut shapes: Vec<Shape>,
         material: Option<Material>,
-        radiance: Rgb,
+        emission: Emission,
         span: Vec3,
     ) {
         let before = shapes.len();
-        shapes.retain(|shape| self.lamp_places.insert(place_of(shape, span)));
+        shapes.retain(|shape| {
+            let place = place_of(shape, span, emission.two_sided);
+            self.lamp_places.insert(place)
+        });
         self.hidden_lamps += before - shapes.len();
         if shapes.is_empty() {
             return;
@@ -61,24 +63,13 @@ impl Parts<'_> {
             Shape::Quad(_) | Shape::Sphere(_) => None,
         });
         if let Some(triangles) = triangles.collect::<Option<Vec<_>>>() {
-            let light = match triangles.as_slice() {
-                [triangle] => Some(Light::Triangle(TriangleLight {
-                    triangle: *triangle,
-                    radiance,
-                })),
-                _ => MeshLight::new(triangles, radiance).map(Light::Mesh),
-            };
-            let light = light.map(|light| (light, radiance));
-            self.push(shapes, material, light);
+            let light = emission.of_triangles(triangles);
+            self.push(shapes, material, light.map(|light| (light, emission)));
             return;
         }
         for shape in shapes {
-            let light = match shape {
-                Shape::Quad(quad) => Light::Quad(QuadLight::new(quad, radiance)),
-                Shape::Sphere(sphere) => Light::Sphere(SphereLight { sphere, radiance }),
-                Shape::Triangle(triangle) => Light::Triangle(TriangleLight { triangle, radiance }),
-            };
-            self.push(vec![shape], material, Some((light, radiance)));
+            let light = emission.of_shape(shape);
+            self.push(vec![shape], material, Some((light, emission)));
         }
     }
 
@@ -87,7 +78,7 @@ impl Parts<'_> {
         &mut self,
         shapes: Vec<Shape>,
         material: Option<Material>,
-        light: Option<(Light, Rgb)>,
+        light: Option<(Light, Emission)>,
     ) {
         let object = self.objects.len() as u32;
         let index = light.as_ref().map(|_| self.lights.len() as u32);
@@ -95,24 +86,76 @@ impl Parts<'_> {
         self.lights.extend(light);
         self.objects.push(Object {
             material,
-            emission: emission.unwrap_or_default(),
+            emission: emission.map_or(Rgb::BLACK, |e| e.radiance),
+            two_sided: emission.is_some_and(|e| e.two_sided),
             light: index,
         });
         self.all.extend(shapes.into_iter().map(|s| (s, object)));
     }
 }
 
-/// The bits of where a shape is and moves to.
-fn place_of(shape: &Shape, span: Vec3) -> Vec<u32> {
-    let points = match shape {
-        Shape::Sphere(s) => vec![s.center, Vec3::splat(s.radius)],
+/// What a surface sends out.
+#[derive(Clone, Copy)]
+pub(super) struct Emission {
+    pub(super) radiance: Rgb,
+    pub(super) two_sided: bool,
+}
+
+impl Emission {
+    /// The light of all these triangles; `None` where they have no area.
+    fn of_triangles(self, triangles: Vec<Triangle>) -> Option<Light> {
+        if let [triangle] = *triangles {
+            return Some(self.of_shape(Shape::Triangle(triangle)));
+        }
+        let light = MeshLight::new(triangles, self.radiance)?;
+        Some(Light::Mesh(match self.two_sided {
+            true => light.two_sided(),
+            false => light,
+        }))
+    }
+
+    fn of_shape(self, shape: Shape) -> Light {
+        let Emission {
+            radiance,
+            two_sided,
+        } = self;
+        match shape {
+            Shape::Sphere(sphere) => Light::Sphere(SphereLight { sphere, radiance }),
+            Shape::Triangle(triangle) => Light::Triangle(TriangleLight {
+                triangle,
+                radiance,
+                two_sided,
+            }),
+            Shape::Quad(quad) => {
+                let light = QuadLight::new(quad, radiance);
+                Light::Quad(if two_sided { light.two_sided() } else { light })
+            }
+        }
+    }
+}
+
+/// The bits of where a shape is and moves to, and whether both sides shine; from whichever corner it
+/// was told.
+fn place_of(shape: &Shape, span: Vec3, two_sided: bool) -> Vec<u32> {
+    let mut points = match shape {
+        Shape::Sphere(s) => vec![
+            s.center,
+            Vec3::new(s.radius, f32::from(u8::from(s.inward)), 0.0),
+        ],
         Shape::Quad(q) => q.corners().to_vec(),
         Shape::Triangle(t) => vec![t.a, t.b, t.c],
     };
-    let all = points.iter().chain([&span]);
+    if !matches!(shape, Shape::Sphere(_)) {
+        let first = (0..points.len()).min_by(|&i, &j| {
+            let [p, q] = [i, j].map(|at| points[at].to_array().map(|x| x + 0.0));
+            p.partial_cmp(&q).unwrap_or(std::cmp::Ordering::Equal)
+        });
+        points.rotate_left(first.unwrap_or(0));
+    }
+    points.extend([span, Vec3::X * f32::from(u8::from(two_sided))]);
     // Zeros of both signs are one place.
-    all.flat_map(|p| p.to_array().map(|x| (x + 0.0).to_bits()))
-        .collect()
+    let bits = |p: &Vec3| p.to_array().map(|x| (x + 0.0).to_bits());
+    points.iter().flat_map(bits).collect()
 }
 
 /// Pixels an environment may have: each takes 20 bytes.

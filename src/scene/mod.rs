@@ -8,6 +8,7 @@ mod ball;
 mod brightest;
 pub mod build;
 mod casters;
+mod contacts;
 pub mod description;
 mod effects;
 pub mod field;
@@ -36,6 +37,7 @@ use crate::color::Rgb;
 use crate::geometry::Bvh;
 use crate::lights::{Light, LightChoice};
 use crate::materials::Material;
+use contacts::Contacts;
 use glam::Vec3;
 use motion::InMotion;
 use std::time::Duration;
@@ -55,16 +57,18 @@ pub struct Scene {
     /// Image width and height in pixels.
     pub size: [u32; 2],
     /// Lights one can aim at: those without a surface in the order of the file, then those of
-    /// objects, then an image around the scene.
+    /// objects, then an image around the scene or a sky of one colour.
     pub lights: Vec<Light>,
     /// What focuses light.
     pub casters: Casters,
-    /// Chooses one of [`Scene::lights`] by its power.
+    /// Chooses one of [`Scene::lights`] by what it may give at a point.
     pub light_choice: LightChoice,
     /// The index in [`Scene::lights`] of the image around the scene. Where there is one, a ray that
-    /// leaves the scene after the lights were asked brings nothing new; a background of one colour
-    /// is no light one aims at, and counts whenever a ray leaves.
+    /// leaves the scene after the lights were asked brings nothing new.
     pub environment_light: Option<usize>,
+    /// The index in [`Scene::lights`] of a sky of one colour. Integrators that ask all lights leave it
+    /// out, and count it whenever a ray leaves: on diffuse surfaces chance finds it as well as aiming.
+    pub sky_light: Option<usize>,
     /// What the file suggests for a render.
     pub suggested: Suggested,
     /// What is in it.
@@ -81,6 +85,8 @@ pub struct Scene {
     bvh: Bvh,
     /// What moves; `None` for most scenes.
     in_motion: Option<InMotion>,
+    /// What lies within rounding of lamps; `None` for most scenes.
+    contacts: Option<Contacts>,
 }
 
 impl Scene {
@@ -92,6 +98,17 @@ impl Scene {
     /// The materials of its objects besides `Lambert`: a set of [`kinds`](crate::materials::kinds).
     pub fn kinds(&self) -> u8 {
         self.kinds
+    }
+
+    /// How many of [`Scene::lights`], the first ones, an integrator asks that asks all: not a sky of
+    /// one colour.
+    pub fn lamps(&self) -> usize {
+        self.sky_light.unwrap_or(self.lights.len())
+    }
+
+    /// The index in [`Scene::lights`] of the light that is met where a ray leaves the scene.
+    pub fn beyond_light(&self) -> Option<usize> {
+        self.environment_light.or(self.sky_light)
     }
 
     /// True where nothing shines, so that no ray need be traced.
@@ -113,8 +130,10 @@ impl Scene {
 pub struct Object {
     /// What it is made of; `None` absorbs everything.
     pub material: Option<Material>,
-    /// Radiance it emits on its front side; black for most.
+    /// Radiance it emits, on its front side or on both; black for most.
     pub emission: Rgb,
+    /// True where it emits on both sides.
+    pub two_sided: bool,
     /// The index in [`Scene::lights`] of the light that it is; `None` where it emits nothing.
     pub light: Option<u32>,
 }

@@ -1,9 +1,10 @@
 //! What moves while the shutter is open.
 
 use super::Object;
+use super::contacts::Placed;
 use super::description::{Exactly, Triple};
 use super::field::{self, Checked, Field};
-use crate::geometry::{Aabb, Bvh, Moving, Shape};
+use crate::geometry::{Bvh, Moving, Shape};
 use glam::{DVec3, Vec3};
 
 /// When the shutter opens and closes, in units of time.
@@ -74,6 +75,8 @@ pub(super) struct InMotion {
     pub bvh: Bvh<Moving>,
     /// For each shape of the hierarchy the object it belongs to.
     pub object_of_shape: Vec<u32>,
+    /// The same shapes, where they are when the shutter opens.
+    pub shapes: Vec<Placed>,
     /// For each light its way while the shutter is open.
     pub span_of_light: Vec<Vec3>,
 }
@@ -84,6 +87,7 @@ impl InMotion {
         InMotion {
             bvh: Bvh::new(&[]),
             object_of_shape: Vec::new(),
+            shapes: Vec::new(),
             span_of_light: vec![Vec3::ZERO; lights],
         }
     }
@@ -103,9 +107,15 @@ pub(super) fn part(
     let (still, moving): (Vec<_>, Vec<_>) = all.into_iter().partition(stands);
     let (shapes, object_of_shape) = still.into_iter().unzip();
     let moving = moving.into_iter().filter_map(|(shape, object)| {
-        Moving::new(shape, spans[object as usize]).map(|shape| (shape, object))
+        let span = spans[object as usize];
+        let placed = Placed {
+            shape,
+            span,
+            object,
+        };
+        Moving::new(shape, span).map(|shape| (shape, placed))
     });
-    let (moving, object_of_moving): (Vec<_>, Vec<_>) = moving.unzip();
+    let (moving, placed): (Vec<_>, Vec<_>) = moving.unzip();
     let mut span_of_light = vec![Vec3::ZERO; lights];
     for (object, span) in objects.iter().zip(spans) {
         if let Some(light) = object.light {
@@ -114,22 +124,25 @@ pub(super) fn part(
     }
     let in_motion = (!moving.is_empty()).then(|| InMotion {
         bvh: Bvh::new(&moving),
-        object_of_shape: object_of_moving,
+        object_of_shape: placed.iter().map(|shape| shape.object).collect(),
+        shapes: placed,
         span_of_light,
     });
     (shapes, object_of_shape, in_motion)
 }
 
-/// Radius of a sphere around all shapes at all times; 0 where there are none.
-pub(super) fn radius(all: &[(Shape, u32)], spans: &[Vec3]) -> f32 {
-    let everywhere = |(shape, object): &(Shape, u32)| {
-        let here = shape.bounds();
-        match spans[*object as usize] {
-            Vec3::ZERO => here,
-            span => here.union(shape.moved(span).bounds()),
-        }
-    };
-    let around = all.iter().map(everywhere).reduce(Aabb::union);
-    let diagonal = around.map(|b| b.max.as_dvec3() - b.min.as_dvec3());
-    diagonal.map_or(0.0, |d| 0.5 * d.length()) as f32
+/// All shapes by their numbers, those that stand still first.
+pub(super) fn placed(
+    shapes: &[Shape],
+    object_of_shape: &[u32],
+    in_motion: Option<&InMotion>,
+) -> Vec<Placed> {
+    let still = shapes.iter().zip(object_of_shape);
+    let still = still.map(|(&shape, &object)| Placed {
+        shape,
+        span: Vec3::ZERO,
+        object,
+    });
+    let moving = in_motion.map_or(&[][..], |moves| &moves.shapes);
+    still.chain(moving.iter().copied()).collect()
 }

@@ -43,12 +43,14 @@ pub struct Hit<'a> {
     pub surface: Surface,
     /// The object it belongs to.
     pub object: &'a Object,
+    /// The number of its shape: those that stand still come first.
+    pub(super) shape: u32,
 }
 
 impl Hit<'_> {
     /// Radiance the surface itself emits towards the unit direction `wo`.
     pub fn emitted(&self, wo: Vec3) -> Rgb {
-        if self.surface.n.dot(wo) > 0.0 {
+        if self.object.two_sided || self.surface.n.dot(wo) > 0.0 {
             self.object.emission
         } else {
             Rgb::BLACK
@@ -128,12 +130,32 @@ impl<'a, const MOVES: bool> Tracer<'a, MOVES> {
             && !matches!(self.in_motion(), Some(m) if m.bvh.any(shadow_ray, self.time))
     }
 
+    /// True where the light `index` is visible along the shadow ray of a sample of it: nothing stands
+    /// in the way, and of surfaces within rounding of each other the light is the one that is met.
+    pub fn visible(&mut self, index: usize, sample: &LightSample) -> bool {
+        let ray = &sample.shadow_ray;
+        self.is_free(ray)
+            && match &self.scene.contacts {
+                None => true,
+                Some(contacts) => {
+                    let objects = &self.scene.objects;
+                    contacts.is_met(index, sample.part, ray, self.time, objects)
+                }
+            }
+    }
+
     /// Aims at the light `index` where it is now: [`Light::sample`](crate::lights::Light::sample).
-    pub fn sample_light(&self, index: usize, from: &Surface, u: [f32; 2]) -> Option<LightSample> {
+    pub fn sample_light(
+        &self,
+        index: usize,
+        from: &Surface,
+        pick: f64,
+        u: [f32; 2],
+    ) -> Option<LightSample> {
         let light = &self.scene.lights[index];
         match self.light_moved(index) {
-            Some(by) => light.sample_moved(by, from, u),
-            None => light.sample(from, u),
+            Some(by) => light.sample_moved(by, from, pick, u),
+            None => light.sample(from, pick, u),
         }
     }
 
@@ -165,10 +187,14 @@ impl<'a, const MOVES: bool> Tracer<'a, MOVES> {
     fn first_hit(&self, ray: &Ray) -> Option<Hit<'a>> {
         let scene = self.scene;
         let still = scene.bvh.first(ray);
-        if let Some(in_motion) = self.in_motion() {
-            return self.first_of_both(in_motion, still, ray);
+        let hit = match self.in_motion() {
+            Some(in_motion) => self.first_of_both(in_motion, still, ray),
+            None => still.map(|found| scene.hit(ray, &found)),
+        };
+        match &scene.contacts {
+            None => hit,
+            Some(contacts) => hit.map(|hit| contacts.met(ray, self.time, hit, &scene.objects)),
         }
-        still.map(|found| scene.hit(ray, &found))
     }
 
     /// What a ray meets first of what stands still, if `still` is the first of that, and of what
@@ -195,6 +221,7 @@ impl<'a, const MOVES: bool> Tracer<'a, MOVES> {
                     t,
                     surface: found.shape.surface(ray, self.time, found.crossing),
                     object: &scene.objects[object as usize],
+                    shape: scene.object_of_shape.len() as u32 + found.id,
                 });
             }
         }
@@ -211,6 +238,7 @@ impl Scene {
             t: found.crossing.t,
             surface: found.shape.surface(ray, found.crossing),
             object: &self.objects[object as usize],
+            shape: found.id,
         }
     }
 }

@@ -88,7 +88,7 @@ fn sound_shape(shape: &Shape, ray: &Ray) -> Result<(), TestCaseError> {
 
 /// What a light sends is finite, of the right sign, and has the density it says.
 fn sound_light(light: &Light, from: &Surface, u: [f32; 2]) -> Result<(), TestCaseError> {
-    let Some(sample) = light.sample(from, u) else {
+    let Some(sample) = light.sample(from, 0.5, u) else {
         return Ok(());
     };
     prop_assert!((sample.wi.length() - 1.0).abs() < 1e-4, "{sample:?}");
@@ -163,7 +163,7 @@ proptest! {
         let light = match shape {
             Some(Shape::Sphere(sphere)) => Light::Sphere(SphereLight { sphere, radiance }),
             Some(Shape::Quad(quad)) => Light::Quad(QuadLight::new(quad, radiance)),
-            Some(Shape::Triangle(triangle)) => Light::Triangle(TriangleLight { triangle, radiance }),
+            Some(Shape::Triangle(triangle)) => Light::Triangle(TriangleLight { triangle, radiance, two_sided: false }),
             None if u[0] < 0.5 => Light::Point(PointLight { position: n, intensity: radiance }),
             None => Light::Directional(DirectionalLight { from: n, irradiance: radiance }),
         };

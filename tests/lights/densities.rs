@@ -15,7 +15,7 @@ pub fn worst_difference(scene: &Scene, from: &Surface, samples: u32) -> f32 {
     let (mut worst, mut met, mut drawn) = (0.0_f32, 0, 0);
     for i in 0..samples {
         let u = Stream::new(5, i, 0).at(0, Purpose::LightPoint).two();
-        let Some(sample) = light.sample(from, u) else {
+        let Some(sample) = light.sample(from, 0.5, u) else {
             continue;
         };
         let Incident::Radiance { pdf, .. } = sample.incident else {

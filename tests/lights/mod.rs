@@ -5,6 +5,7 @@ mod densities;
 mod environment;
 mod rectangle;
 mod sphere;
+mod tree;
 mod triangle;
 
 use glam::{DVec3, Vec3};
@@ -41,7 +42,7 @@ pub fn scene(objects: &str) -> Scene {
 /// The irradiance at `from` that samples of a light estimate.
 pub fn irradiance(light: &Light, from: &Surface, samples: u32) -> Estimate {
     irradiance_by(from, samples, |u| {
-        let sample = light.sample(from, u)?;
+        let sample = light.sample(from, 0.5, u)?;
         Some((sample.wi, sample.incident))
     })
 }

@@ -64,7 +64,7 @@ fn a24_a_square_at_any_height() {
         }
         // The mistake of a density that is 7 % off.
         let wrong = irradiance_by(&GROUND, 400_000, |u| {
-            let sample = light.sample(&GROUND, u)?;
+            let sample = light.sample(&GROUND, 0.5, u)?;
             let Incident::Radiance { li, pdf } = sample.incident else {
                 return None;
             };

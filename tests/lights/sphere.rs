@@ -29,7 +29,7 @@ fn a23_density_times_solid_angle_is_one() {
         let solid_angle = TAU * sin2 / (1.0 + (1.0 - sin2).sqrt());
         for i in 0..1000 {
             let u = Stream::new(1, i, 0).at(0, Purpose::LightPoint).two();
-            let sample = light.sample(&GROUND, u).unwrap();
+            let sample = light.sample(&GROUND, 0.5, u).unwrap();
             let Incident::Radiance { pdf, .. } = sample.incident else {
                 panic!()
             };
@@ -92,10 +92,16 @@ fn a25_a_point_light_on_the_surface_is_no_light() {
             intensity: Rgb::WHITE,
         })
     };
-    assert!(light(Vec3::ZERO).sample(&GROUND, [0.5; 2]).is_none());
+    assert!(light(Vec3::ZERO).sample(&GROUND, 0.5, [0.5; 2]).is_none());
     // So near that the square of the distance vanishes.
-    assert!(light(Vec3::Y * 1e-30).sample(&GROUND, [0.5; 2]).is_none());
-    let near = light(Vec3::Y * 1e-10).sample(&GROUND, [0.5; 2]).unwrap();
+    assert!(
+        light(Vec3::Y * 1e-30)
+            .sample(&GROUND, 0.5, [0.5; 2])
+            .is_none()
+    );
+    let near = light(Vec3::Y * 1e-10)
+        .sample(&GROUND, 0.5, [0.5; 2])
+        .unwrap();
     assert!(near.incident.facing_irradiance().is_finite());
     // On a corner of a mesh: a finite picture.
     let on_corner = scene(

@@ -24,6 +24,7 @@ fn lamp(corners: [[f32; 3]; 3]) -> Light {
     Light::Triangle(TriangleLight {
         triangle: Triangle { a, b, c },
         radiance: Rgb::WHITE,
+        two_sided: false,
     })
 }
 

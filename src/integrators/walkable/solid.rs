@@ -73,7 +73,7 @@ impl<'a> Walkable<Solid> for Tracer<'a> {
     }
 
     fn lamps(&self) -> usize {
-        self.scene().lights.len()
+        self.scene().lamps()
     }
 
     fn aim(
@@ -84,15 +84,14 @@ impl<'a> Walkable<Solid> for Tracer<'a> {
         stream: &Stream,
     ) -> Option<Aimed> {
         let material = at.hit.object.material?;
-        let u = stream
-            .at_item(place, Purpose::LightPoint, lamp as u32)
-            .two();
-        let sample = self.sample_light(lamp, &at.hit.surface, u)?;
+        let mut numbers = stream.at_item(place, Purpose::LightPoint, lamp as u32);
+        let (u, pick) = (numbers.two(), numbers.fine());
+        let sample = self.sample_light(lamp, &at.hit.surface, pick, u)?;
         let wi = at.frame.to_local(sample.wi);
         let f = material.f(at.wo, wi);
         let cos = wi.z.abs();
         // A shadow ray costs as much as any other: it is not sent where nothing could come of it.
-        if f.is_black() || cos == 0.0 || !self.is_free(&sample.shadow_ray) {
+        if f.is_black() || cos == 0.0 || !self.visible(lamp, &sample) {
             return None;
         }
         Some(Aimed {
