@@ -15,6 +15,7 @@
 //! The walks are written against [`walkable::Walkable`] and run in flatland, too. No integrator is
 //! a flag of another one. They share the floors below, never each other's lines.
 
+mod asked;
 mod combine;
 mod distributed;
 mod follow;
@@ -30,6 +31,7 @@ pub mod walkable;
 mod which_ray;
 mod whitted;
 
+pub use asked::{ENOUGH, RarelyAsked, rarely_asked};
 pub use combine::{Combine, Shares};
 pub use distributed::{Distributed, Integral};
 pub use follow::{Everything, Follow, OnlyPaths, Restricted};
