@@ -174,6 +174,16 @@ mod tests {
     }
 
     #[test]
+    fn every_level_is_as_wide_as_every_other() {
+        // 1000 values in each 256th of [0, 1), in the middle of their steps.
+        let mut counts = [0; 256];
+        for i in 0..256_000 {
+            counts[usize::from(quantise((f64::from(i) + 0.5) / 256_000.0))] += 1;
+        }
+        assert_eq!(counts, [1000; 256]);
+    }
+
+    #[test]
     fn the_transfer_curve_is_monotone_and_meets_at_its_knee() {
         let knee = 0.003_130_8;
         assert!((srgb_encode(knee + 1e-12) - srgb_encode(knee)).abs() < 1e-6);

@@ -97,8 +97,9 @@ mod tests {
 
     #[test]
     fn points_and_line_share_a_colour_and_the_legend_says_the_slope() {
+        // The half width of the slope's interval is 0.035 of the 0.1 it may be.
         let design = Design {
-            replicates: 32,
+            replicates: 128,
             doublings: 6,
             ..Design::default()
         };

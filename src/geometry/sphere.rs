@@ -32,8 +32,8 @@ impl Sphere {
     /// The first crossing with `0 < t <= t_max`.
     ///
     /// Numbers go in and out as `f32`, the quadratic runs in `f64`: ten thousand radii away the
-    /// `f32` form misses 28 % of the hits and hits with 71 % of the misses. Its discriminant comes
-    /// from the distance between centre and line, by `(f·d)² - f²d² = -|f × d|²`, for a hundred
+    /// `f32` form loses hits and hits with rays that miss, as chapter 17 counts. The discriminant
+    /// comes from the distance between centre and line, by `(f·d)² - f²d² = -|f × d|²`, for a hundred
     /// million radii away the plain difference fails in `f64` too.
     #[inline(never)]
     pub fn cross(&self, ray: &PreparedRay, t_max: f32) -> Option<Crossing> {

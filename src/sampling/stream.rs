@@ -247,6 +247,34 @@ mod tests {
     }
 
     #[test]
+    fn every_bit_of_the_address_matters() {
+        let first = |seed, pixel, sample, place, item| {
+            let mut numbers = Stream::new(seed, pixel, sample).at_item(place, Purpose::Pixel, item);
+            numbers.two().map(f32::to_bits)
+        };
+        let mut all = vec![first(0, 0, 0, 0, 0)];
+        all.extend((0..64).map(|k| first(1 << k, 0, 0, 0, 0)));
+        all.extend((0..64).map(|k| first(0, 0, 0, 1 << k, 0)));
+        for k in 0..32 {
+            all.push(first(0, 1 << k, 0, 0, 0));
+            all.push(first(0, 0, 1 << k, 0, 0));
+            all.push(first(0, 0, 0, 0, 1 << k));
+        }
+        let distinct: std::collections::BTreeSet<[u32; 2]> = all.iter().copied().collect();
+        assert_eq!(distinct.len(), all.len());
+        for sampler in [Sampler::Independent, Sampler::Sobol] {
+            let of = |seed| {
+                Stream::with(sampler, seed, 0, 0)
+                    .at(0, Purpose::Pixel)
+                    .two()
+            };
+            for k in 32..64 {
+                assert_ne!(of(7), of(7 ^ 1 << k), "{sampler:?}, bit {k} of the seed");
+            }
+        }
+    }
+
+    #[test]
     fn no_uniform_reaches_one() {
         let check = |u: f32| {
             assert!((0.0..1.0).contains(&u));

@@ -125,6 +125,60 @@ mod tests {
     }
 
     #[test]
+    fn cells_less_one_are_the_degrees_of_freedom() {
+        // Of an even number of degrees the tail is closed: e^(-x / 2), and (1 + x / 2) times that.
+        let three = chi_square(&[10, 20, 30], &[20.0; 3]);
+        assert_eq!((three.statistic, three.freedom), (10.0, 2));
+        assert!((three.p - libm::exp(-5.0)).abs() < 1e-12, "{three:?}");
+        let five = chi_square(&[10, 20, 20, 20, 30], &[20.0; 5]);
+        assert_eq!((five.statistic, five.freedom), (10.0, 4));
+        assert!((five.p - 6.0 * libm::exp(-5.0)).abs() < 1e-12, "{five:?}");
+        // Two of four cells are pooled: three cells are left.
+        let pooled = chi_square(&[5, 1, 20, 14], &[3.0, 3.0, 17.0, 17.0]);
+        assert_eq!(pooled.freedom, 2);
+        assert!((pooled.p - libm::exp(-0.5 * pooled.statistic)).abs() < 1e-12);
+    }
+
+    #[test]
+    fn right_counts_are_rejected_as_often_as_the_level_says() {
+        use crate::sampling::stream::{Purpose, Stream};
+        use crate::stats::Estimate;
+        // Cells of equal weight, and such of which the smallest are pooled.
+        let weights: [&[f64]; 3] = [
+            &[0.5, 0.5],
+            &[0.1; 10],
+            &[0.002, 0.002, 0.002, 0.294, 0.3, 0.4],
+        ];
+        const RUNS: u32 = 2000;
+        for weights in weights {
+            let expected: Vec<f64> = weights.iter().map(|w| 1000.0 * w).collect();
+            let p_value = |run| {
+                let mut u = Stream::new(9, run, 0).at(0, Purpose::Pixel);
+                let mut counts = vec![0; weights.len()];
+                for _ in 0..1000 {
+                    let mut x = f64::from(u.one());
+                    let found = weights.iter().position(|w| {
+                        x -= w;
+                        x < 0.0
+                    });
+                    counts[found.unwrap_or(weights.len() - 1)] += 1;
+                }
+                chi_square(&counts, &expected).p
+            };
+            let all: Vec<f64> = (0..RUNS).map(p_value).collect();
+            for level in [0.05, 0.3] {
+                let hits = all.iter().filter(|p| **p < level).count() as u64;
+                let rejected = Estimate::from_hits(hits, u64::from(RUNS));
+                // 4.4 standard errors, and the steps of the counts. Of 1, 2, 3 and 9 degrees one too
+                // many rejects 0.16, 0.21, 0.22 and 0.25 instead of 0.3.
+                let off = (rejected.mean() - level).abs();
+                let error = (level * (1.0 - level) / f64::from(RUNS)).sqrt();
+                assert!(off < 4.4 * error + 0.012, "{weights:?}: {rejected:?}");
+            }
+        }
+    }
+
+    #[test]
     fn tail_probabilities_are_the_tables() {
         // 0.05 and 0.001 points of 1, 10 and 100 degrees of freedom.
         for (freedom, x, p) in [

@@ -4,7 +4,7 @@ use super::draw::Draw;
 use super::{room, scene};
 use halfdisk::color::{Rgb, quantise, srgb_encode};
 use halfdisk::geometry::Ray;
-use halfdisk::integrators::{Integrator, Named, Normals};
+use halfdisk::integrators::{Integrator, Kajiya, Named, Normals};
 use halfdisk::numeric::naive;
 use halfdisk::render::{Faults, Options, Pixel, Rendered, render, too_bright};
 use halfdisk::sampling::stream::{Purpose, Sampler, Stream};
@@ -170,6 +170,36 @@ fn a39_more_light_than_there_is_is_noticed() {
 }
 
 #[test]
+fn a39_the_bound_on_light_is_reached_at_every_depth_and_never_passed() {
+    // In a closed sphere each path brings the same: `1 + 0.5 + 0.25 + …`, a term for each segment.
+    let furnace = scene(
+        "film.size = [8, 6]\n[[objects]]\nmaterial = 'half'\nemits = [1, 0.5, 0.25]\n\
+         sphere = { center = [0, 0, 0], radius = 2, inward = true }",
+    );
+    for depth in 1..8_u32 {
+        let bound = furnace.brightest(depth).expect("a lamp with extent");
+        let exact = 2.0 - libm::pow(0.5, f64::from(depth - 1));
+        assert!(
+            (bound - exact).abs() < 1e-12,
+            "{depth}: {bound} for {exact}"
+        );
+        let walk = Kajiya { max_depth: depth };
+        let film = render(&furnace, &walk, &options(16), &()).film;
+        let brightest = film.max();
+        assert!(
+            (brightest / bound - 1.0).abs() < 1e-5,
+            "{depth}: {brightest}"
+        );
+        assert_eq!(too_bright(&film, bound), 0, "{depth}");
+        // A bound of a bounce less is passed everywhere.
+        if let Some(less) = furnace.brightest(depth - 1) {
+            assert_eq!(too_bright(&film, less), film.pixels().len(), "{depth}");
+        }
+    }
+    assert_eq!(furnace.brightest(0), Some(0.0));
+}
+
+#[test]
 fn a40_a_hundred_million_samples_in_one_pixel() {
     // Multiples of 2^-24: their sum is a whole number.
     let (mut estimate, mut sum) = (Estimate::new(), 0_u64);
@@ -254,6 +284,16 @@ fn a43_levels_are_equally_wide() {
     for k in 0..=255 {
         assert_eq!(quantise(f64::from(k) / 255.0), k as u8);
     }
+    // How many of 256 000 even values have each level. Rounded to the nearest the first and the last
+    // have half as many, and all others more.
+    let widths = |level: &dyn Fn(f64) -> u8| {
+        let mut widths = [0; 256];
+        (0..256_000).for_each(|i| widths[usize::from(level((f64::from(i) + 0.5) / 256e3))] += 1);
+        widths
+    };
+    assert_eq!(widths(&quantise), [1000; 256]);
+    let rounded = widths(&|x| (x * 255.0).round() as u8);
+    assert!(rounded[0] == 502 && rounded[255] == 502 && rounded[100] == 1004);
     let mean = |level: &dyn Fn(f32) -> u8| {
         let each = (0..1_000_000).map(|i| f64::from(level((i as f32 + 0.5) / 1e6)));
         each.sum::<f64>() / 255e6

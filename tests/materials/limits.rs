@@ -6,6 +6,7 @@ use halfdisk::color::Rgb;
 use halfdisk::materials::{Material, SMOOTH};
 use halfdisk::sampling::warps;
 use proptest::prelude::*;
+use proptest::test_runner::RngSeed;
 
 /// Everything that may come of a material is a finite number of the right sign.
 fn sound(material: &Material, wo: Vec3, wi: Vec3, choice: f32, u: [f32; 2]) {
@@ -95,7 +96,13 @@ fn towards_no_roughness_it_is_the_mirror_and_the_glass() {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig::with_cases(4000))]
+    // The same cases in every run, and no file is written where one fails: its numbers are said.
+    #![proptest_config(ProptestConfig {
+        cases: 4000,
+        rng_seed: RngSeed::Fixed(35),
+        failure_persistence: None,
+        ..ProptestConfig::default()
+    })]
     #[test]
     fn any_numbers_give_sound_answers(
         (a, b, c) in (0..1_u32 << 24, 0..1_u32 << 24, 0..1_u32 << 24),

@@ -98,8 +98,8 @@ pub(super) fn times(ratio: &Ratio) -> String {
 /// Two or three digits.
 fn digits(x: f64) -> String {
     match x {
-        x if x < 10.0 => format!("{x:.2}"),
-        x if x < 100.0 => format!("{x:.1}"),
+        x if x < 9.995 => format!("{x:.2}"),
+        x if x < 99.95 => format!("{x:.1}"),
         x => format!("{x:.0}"),
     }
 }

@@ -109,6 +109,7 @@ mod tests {
     use crate::render::Pixel;
     use crate::render::compare;
     use crate::sampling::stream::{Purpose, Stream};
+    use crate::stats::z_test::{FOUR, z_test};
 
     /// A grey film of `spp` samples of mean 1/2 and variance 1/12 in each pixel.
     fn film(seed: u64, spp: u32) -> Film {
@@ -120,22 +121,26 @@ mod tests {
                 ..Pixel::default()
             }
         };
-        Film::new(64, (0..4096).map(pixel).collect())
+        Film::new(256, (0..256 * 256).map(pixel).collect())
     }
 
     #[test]
     fn a_poor_reference_adds_nothing_to_the_error() {
-        // As many samples as the estimate has: the plain square would read twice the variance.
-        let reference = Reference::new(&film(1, 8), &film(2, 8), 8);
-        let squares: Estimate = reference.squares(&film(3, 8)).into_iter().collect();
+        // As many samples as the estimate has: the plain square would read half as much again.
+        const SPP: u32 = 64;
+        let variance = 1.0 / 12.0 / f64::from(SPP);
+        let reference = Reference::new(&film(1, SPP), &film(2, SPP), SPP);
+        let squares: Estimate = reference.squares(&film(3, SPP)).into_iter().collect();
         // The inverse of what it is relative to is larger in the mean where the reference is noisy.
-        let inverse: f64 = reference.scale.iter().map(|s| 1.0 / s[0]).sum();
-        let expected = 1.0 / 12.0 / 8.0 * inverse / 4096.0;
-        let found = squares.mean() / expected;
-        assert!((found - 1.0).abs() < 0.1, "{found}");
+        let inverse: Estimate = reference.scale.iter().map(|s| 1.0 / s[0]).collect();
+        // At a level of 6e-5 a bias of 5 % is noticed; that of a scale which is noisy, too, is 0.6 %.
+        let expected = variance * inverse.mean();
+        let test = z_test(&squares, expected, FOUR);
+        assert!(test.passes(), "{} for {expected}: {test}", squares.mean());
+        assert!(test.detects < 0.05 * expected, "{test}");
         // The plain square counts the reference's noise, half as large as the estimate's.
-        let plain = compare::mse(&film(3, 8).picture(), &reference.picture);
-        assert!(plain > 1.4 / 12.0 / 8.0, "{plain}");
+        let plain = compare::mse(&film(3, SPP).picture(), &reference.picture) / variance;
+        assert!((plain - 1.5).abs() < 0.05, "{plain}");
     }
 
     #[test]
