@@ -3,7 +3,8 @@
 
 use super::language::Wanted;
 use crate::integrators::{Path, Restricted};
-use crate::render::{self, Options, Progress, Rendered};
+use crate::render::accuracy::Scale;
+use crate::render::{self, Options, Picture, Progress, Rendered};
 use crate::sampling::stream::Sampler;
 use crate::scene::Scene;
 use crate::stats::{Estimate, slope::student_95};
@@ -44,7 +45,8 @@ pub struct Difference {
     pub share: f64,
     /// Its standard error.
     pub share_error: f64,
-    /// Mean over pixels and channels of the squared difference, over the squared value plus 0.01.
+    /// The squared relative error (see [`accuracy`](crate::render::accuracy)) of the pictures without
+    /// against those with: of what differs, not of the noise.
     pub rel_mse: f64,
     /// Its standard error, by the jackknife over rounds.
     pub rel_mse_error: f64,
@@ -59,6 +61,9 @@ impl Difference {
     }
 }
 
+/// The pictures of a round: with, and without.
+type Pair = [Picture; 2];
+
 /// Renders `with` and `without` in turn, `rounds` times with seeds of their own; the two of a round
 /// share theirs, so that what differs is the effect.
 ///
@@ -72,7 +77,7 @@ pub fn difference(with: &Setup, without: &Setup, spp: u32, rounds: u32) -> Diffe
     assert!(rounds >= 3 && with.scene.size == without.scene.size);
     let mut log_time = Estimate::new();
     let mut rays = [0; 2];
-    let mut pictures: Vec<[Vec<f64>; 2]> = Vec::new();
+    let mut pictures: Vec<Pair> = Vec::new();
     for round in 0..rounds {
         let options = Options {
             spp,
@@ -92,19 +97,15 @@ pub fn difference(with: &Setup, without: &Setup, spp: u32, rounds: u32) -> Diffe
         log_time.add(libm::log(a.time.as_secs_f64() / b.time.as_secs_f64()));
         rays[0] += a.rays.total();
         rays[1] += b.rays.total();
-        let values = |r: &Rendered| r.film.picture().values.into_flattened();
-        pictures.push([values(&a), values(&b)]);
+        pictures.push([a.film.picture(), b.film.picture()]);
     }
     let means: Vec<[f64; 2]> = pictures
         .iter()
-        .map(|pair| {
-            pair.each_ref()
-                .map(|p| p.iter().sum::<f64>() / p.len() as f64)
-        })
+        .map(|pair| pair.each_ref().map(|picture| picture.mean().0))
         .collect();
     let light: Estimate = means.iter().map(|m| m[0]).collect();
     let lost: Estimate = means.iter().map(|m| m[0] - m[1]).collect();
-    let all: Vec<&[Vec<f64>; 2]> = pictures.iter().collect();
+    let all: Vec<&Pair> = pictures.iter().collect();
     let left_out = |i: usize| {
         let others = pictures.iter().enumerate().filter(|(j, _)| *j != i);
         rel_mse(&others.map(|(_, pair)| pair).collect::<Vec<_>>())
@@ -122,22 +123,39 @@ pub fn difference(with: &Setup, without: &Setup, spp: u32, rounds: u32) -> Diffe
     }
 }
 
-/// The mean product of the differences of two rounds, relative to the squared mean of the first
-/// pictures.
-fn rel_mse(rounds: &[&[Vec<f64>; 2]]) -> f64 {
+/// The mean over pixels of the mean product of the differences of two rounds, relative to the
+/// brightness around in the mean of the pictures with.
+fn rel_mse(rounds: &[&Pair]) -> f64 {
     let n = rounds.len() as f64;
-    let pixels = rounds.first().map_or(0, |pair| pair[0].len());
-    let one = |p: usize| {
-        let (mut sum, mut squares, mut value) = (0.0, 0.0, 0.0);
-        for [a, b] in rounds.iter().copied() {
-            let d = a[p] - b[p];
+    let Some([first, _]) = rounds.first() else {
+        return 0.0;
+    };
+    let mean = |p: usize| {
+        let sum = |c: usize| {
+            rounds
+                .iter()
+                .map(|[with, _]| with.values[p][c])
+                .sum::<f64>()
+        };
+        [0, 1, 2].map(|c| sum(c) / n)
+    };
+    let pixels = 0..first.values.len();
+    let scale = Scale::of(&Picture {
+        size: first.size,
+        values: pixels.clone().map(mean).collect(),
+        errors: None,
+    });
+    let channel = |p: usize, c: usize| {
+        let (mut sum, mut squares) = (0.0, 0.0);
+        for [with, without] in rounds.iter().copied() {
+            let d = with.values[p][c] - without.values[p][c];
             sum += d;
             squares += d * d;
-            value += a[p] / n;
         }
-        (sum * sum - squares) / (n * (n - 1.0)) / (value * value + 0.01)
+        (sum * sum - squares) / (n * (n - 1.0))
     };
-    (0..pixels).map(one).sum::<f64>() / pixels.max(1) as f64
+    let pixel = |p| scale.relative(p, (channel(p, 0) + channel(p, 1) + channel(p, 2)) / 3.0);
+    pixels.map(pixel).collect::<Estimate>().mean()
 }
 
 fn ratio(a: f64, b: f64) -> f64 {

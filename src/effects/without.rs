@@ -1,7 +1,7 @@
 //! An effect left out on purpose. The picture is wrong by what is missing, and should say by how
 //! much.
 
-use super::language::{self, Wanted};
+use super::language::{self, Class, Wanted};
 use crate::notation::Expression;
 use crate::scene::Effect;
 use crate::scene::description::{Color, Description, Lambert, Material};
@@ -83,8 +83,8 @@ pub fn lost(effect: Effect) -> Option<&'static str> {
         Effect::Diffuse => Some(".*D.*"),
         Effect::Specular => Some(".*S.*"),
         Effect::Gloss => Some(".*G.*"),
-        Effect::Bleeding => Some(".*[DG].*[DG].*"),
-        Effect::Caustics => Some(".*S[DG].*"),
+        Effect::Bleeding => Some(Class::Bleeding.text()),
+        Effect::Caustics => Some(Class::Caustic.text()),
         Effect::PointLights | Effect::AreaLights | Effect::Sky | Effect::Lens | Effect::Motion => {
             None
         }

@@ -20,6 +20,9 @@ pub enum SceneError {
         /// Why.
         reason: String,
     },
+    /// There is no scene of this name.
+    #[error("{0}")]
+    Unknown(String),
     /// A value in the file is not allowed.
     #[error("{file}:{line}: {}{what}", quoted(field))]
     Value {
@@ -89,13 +92,29 @@ pub fn text_of(
 /// The error of a name that is neither in the gallery nor a file.
 pub fn unknown(name: &str, gallery: &[(&str, &str)]) -> SceneError {
     let names: Vec<&str> = gallery.iter().map(|(name, _)| *name).collect();
-    SceneError::File {
-        file: name.to_owned(),
-        reason: format!(
-            "is neither a scene of the gallery ({}) nor a file",
-            names.join(", ")
-        ),
+    let all = names.join(", ");
+    if name.trim().is_empty() {
+        let text = format!("no scene is named: give one of the gallery ({all}) or a .toml file");
+        return SceneError::Unknown(text);
     }
+    let meant = match nearest(name, &names) {
+        Some(near) => format!("; did you mean `{near}`?"),
+        None => String::new(),
+    };
+    SceneError::Unknown(format!(
+        "`{name}` is neither a scene of the gallery ({all}) nor a file{meant}"
+    ))
+}
+
+/// Names less alike than this (Jaro and Winkler) are other names.
+const ALIKE: f64 = 0.8;
+
+/// The name that was meant, if one is near enough.
+fn nearest<'a>(name: &str, names: &[&'a str]) -> Option<&'a str> {
+    let stem = name.trim_end_matches(".toml").to_lowercase();
+    let near = |other: &&'a str| (strsim::jaro_winkler(&stem, other), *other);
+    let best = names.iter().map(near).max_by(|a, b| a.0.total_cmp(&b.0))?;
+    (best.0 > ALIKE).then_some(best.1)
 }
 
 /// A scene file's text with its name, for error messages.

@@ -277,9 +277,12 @@ fn names_that_are_no_scene() {
     for (name, words) in [
         (
             "cornel",
-            "cornel: is neither a scene of the gallery (cornell, spheres,",
+            "`cornel` is neither a scene of the gallery (cornell, spheres,",
         ),
-        ("", ": is neither a scene of the gallery"),
+        (
+            "",
+            "no scene is named: give one of the gallery (cornell, spheres,",
+        ),
         (
             "scene.json",
             "scene.json: is not a scene file: their names end in .toml",
@@ -296,7 +299,7 @@ fn names_that_are_no_scene() {
         assert!(!folder.path().join("out").exists());
     }
     let sentence = refused(folder.path(), &["scenes", "--show", "cornel"], 2);
-    assert!(sentence.starts_with("cornel: is neither"), "{sentence}");
+    assert!(sentence.starts_with("`cornel` is neither"), "{sentence}");
 }
 
 #[test]

@@ -4,6 +4,7 @@ mod list;
 mod typed;
 
 use super::{Stop, answer};
+use crate::desk::whole;
 use crate::estimators::doctor::{Diagnosis, Reading, diagnose};
 use crate::estimators::mistakes::Exam;
 use crate::space::Dimension;
@@ -36,13 +37,13 @@ pub struct Doctor {
     #[arg(long, requires = "reading", value_parser = albedo)]
     albedo: Vec<f32>,
     /// Directions of each gather [default: 16]
-    #[arg(long, requires = "reading", value_parser = clap::value_parser!(u32).range(1..))]
+    #[arg(long, requires = "reading", allow_negative_numbers = true, value_parser = whole(1_u32..=u32::MAX))]
     samples: Vec<u32>,
     /// Tilt of the surface, from 0 to 90 degrees [default: 0]
     #[arg(long, requires = "reading", value_name = "DEGREES", value_parser = tilt)]
     tilt: Vec<f32>,
     /// How often the light was reflected [default: 1]
-    #[arg(long, requires = "reading", value_parser = clap::value_parser!(u32).range(1..=1000))]
+    #[arg(long, requires = "reading", allow_negative_numbers = true, value_parser = whole(1_u32..=1000))]
     bounces: Vec<u32>,
     /// Whether shadow rays find the sky [default: seeing]
     #[arg(long, requires = "reading", value_enum)]
