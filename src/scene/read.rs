@@ -1,6 +1,7 @@
 //! From a file to a description, with errors that name the line and the field.
 
 use super::field::{Field, Problem, Step};
+use super::tables::{TABLE_OF, Tables};
 use serde::de::DeserializeOwned;
 use std::borrow::Cow;
 use std::ops::Range;
@@ -129,7 +130,9 @@ pub struct Source<'a> {
 impl Source<'_> {
     /// Reads the text into a description of any kind.
     pub fn parse<T: DeserializeOwned>(&self) -> Result<T, SceneError> {
-        toml::from_str(self.text).map_err(|error| self.parse_error(&error))
+        toml::Deserializer::parse(self.text)
+            .and_then(|document| T::deserialize(Tables(document)))
+            .map_err(|error| self.parse_error(&error))
     }
 
     /// Turns a complaint about a field into an error with its line.
@@ -178,11 +181,14 @@ fn explain(field: &Field, message: &str) -> Problem {
     let Some((found, expected)) = message.rsplit_once(", expected ") else {
         return field.problem(format!("cannot be read: {message}"));
     };
+    let (expected, fields) = match expected.strip_prefix(TABLE_OF) {
+        Some(fields) => ("a table", format!("; its fields are {fields}")),
+        None => (expected, String::new()),
+    };
     let expected = match expected {
         "f64" => "a number",
         "i64" => "a whole number",
         "a sequence" => "a list",
-        other if other.starts_with("struct ") => "a table",
         other => other.trim_start_matches("one of "),
     };
     field.problem(if found.starts_with("unknown field ") {
@@ -195,8 +201,8 @@ fn explain(field: &Field, message: &str) -> Problem {
             .trim_end_matches(" as i128");
         match found {
             "map" => format!("must be {expected}, not a table"),
-            "sequence" => format!("must be {expected}, not a list"),
-            _ => format!("must be {expected}, not the {found}"),
+            "sequence" => format!("must be {expected}, not a list{fields}"),
+            _ => format!("must be {expected}, not the {found}{fields}"),
         }
     })
 }

@@ -10,6 +10,7 @@ use crate::estimators::mistakes::Exam;
 use crate::space::Dimension;
 use clap::{Args, ValueEnum};
 use serde_json::{Value, json};
+use std::io::IsTerminal;
 use typed::{Typed, albedo, error, tilt};
 
 /// Name the mistake behind a wrong reading, or list the mistakes.
@@ -104,7 +105,7 @@ impl Doctor {
                     let object = as_json(&diagnosis);
                     return answer(&(serde_json::to_string_pretty(&object)? + "\n"));
                 }
-                answer(&diagnosis.explain())
+                answer(&for_terminal(&diagnosis.explain()))
             }
             (Some(world), true) => list::list(&[world.into()], self.json),
             (None, _) => list::list(&[Dimension::Flat, Dimension::Solid], self.json),
@@ -133,6 +134,19 @@ impl Doctor {
     }
 }
 
+/// The widest text that is easy to read.
+const WIDEST: usize = 100;
+
+/// Lines as wide as the terminal, if it is one that reads; else as they are.
+fn for_terminal(text: &str) -> String {
+    if !std::io::stdout().is_terminal() {
+        return text.to_owned();
+    }
+    let width = textwrap::termwidth().min(WIDEST);
+    let options = textwrap::Options::new(width).subsequent_indent("    ");
+    textwrap::wrap(text.trim_end(), options).join("\n") + "\n"
+}
+
 /// The value of an option for the reading at place `i`: its own, or the one given for all.
 fn each<T: Copy>(option: &str, given: &[T], i: usize, count: usize) -> Result<Option<T>, Stop> {
     match given {
@@ -140,9 +154,10 @@ fn each<T: Copy>(option: &str, given: &[T], i: usize, count: usize) -> Result<Op
         [one] => Ok(Some(*one)),
         _ if given.len() == count => Ok(Some(given[i])),
         _ => Err(Stop::Input(format!(
-            "{option} is given {} times for {count} reading(s): give it once for all, or once for \
+            "{option} is given {} times for {count} reading{}: give it once for all, or once for \
              each",
-            given.len()
+            given.len(),
+            if count == 1 { "" } else { "s" }
         ))),
     }
 }
