@@ -3,6 +3,7 @@
 use super::{Stop, answer};
 use crate::desk::{Bar, on_ctrl_c, whole};
 use crate::effects::language::{self, Class, Finds, finds};
+use crate::effects::plan::count;
 use crate::effects::words::{Words, words};
 use crate::integrators::{Integrator, Named, Path, Restricted};
 use crate::notation::Word;
@@ -183,7 +184,7 @@ fn describe_words(words: &Words, shown: usize) -> String {
     }
     if let Some(rest) = by_share.get(shown..).filter(|rest| !rest.is_empty()) {
         let light: f64 = rest.iter().map(|(_, share)| share.light.mean()).sum();
-        let label = format!("{} others", rest.len());
+        let label = count(rest.len(), "other", "others");
         text += &format!("{label:<12} {:>7.3} %\n", 100.0 * light / total);
     }
     text

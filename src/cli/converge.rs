@@ -3,6 +3,7 @@
 use super::{Stop, answer, use_threads};
 use crate::chart::{ChartError, convergence_chart};
 use crate::desk::{Bar, on_ctrl_c, whole};
+use crate::effects::plan::count;
 use crate::experiment::convergence::{Convergence, Design, Estimator, converge_watched};
 use crate::experiment::named;
 use clap::Args;
@@ -100,9 +101,10 @@ impl Converge {
         let path = self.out.join(stem(runs));
         let failure = |path: &std::path::Path, e| Stop::Failure(format!("{}: {e}", path.display()));
         std::fs::create_dir_all(&self.out).map_err(|e| failure(&self.out, e))?;
+        let runs_each = count(self.replicates as usize, "run", "runs");
         let title = match runs {
-            [run] => format!("Error of {}, {} runs each", run.name, run.replicates),
-            _ => format!("Error against samples, {} runs each", self.replicates),
+            [run] => format!("Error of {}, {runs_each} each", run.name),
+            _ => format!("Error against samples, {runs_each} each"),
         };
         let chart = convergence_chart(title, runs);
         let mut files = vec![("csv", csv(runs)), ("json", json.to_owned())];

@@ -215,7 +215,9 @@ mod tests {
             }
         }
         for (k, truth) in [0.25, 0.0625].into_iter().enumerate() {
-            assert!(values[k].z(truth).abs() < 4.0, "{k}: {:?}", values[k]);
+            // The brightness around is the larger of two means, and so a little too large by their noise.
+            let mean = values[k].mean();
+            assert!((mean / truth - 1.0).abs() < 0.02, "{k}: {mean}");
             let ratio = values[k].variance() / squares[k].mean();
             assert!((ratio - 1.0).abs() < 0.29, "{k}: {ratio}");
         }

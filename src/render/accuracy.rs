@@ -38,10 +38,18 @@ pub enum Measure {
 impl Measure {
     fn of(self, squares: Vec<f64>) -> f64 {
         match self {
-            Measure::RootMeanSquare => squares.into_iter().collect::<Estimate>().mean().sqrt(),
+            Measure::RootMeanSquare => mean(squares).sqrt(),
             Measure::Quantile(share) => quantile(squares, share).sqrt(),
         }
     }
+}
+
+/// The mean of squares; infinite where one of them is, for an estimate would make it no number.
+pub(super) fn mean(squares: Vec<f64>) -> f64 {
+    if squares.contains(&f64::INFINITY) {
+        return f64::INFINITY;
+    }
+    squares.into_iter().collect::<Estimate>().mean()
 }
 
 /// The standard error of each pixel of a film, relative to the brightness around it.

@@ -17,7 +17,7 @@ pub fn mse(a: &Picture, b: &Picture) -> f64 {
 /// The squared relative error of `a` against the reference `b`, mean over the pixels: the square of
 /// [`true_error`](super::accuracy::true_error).
 pub fn rel_mse(a: &Picture, b: &Picture) -> f64 {
-    mean(true_squares(a, b).into_iter())
+    accuracy::mean(true_squares(a, b))
 }
 
 /// The share of [`rel_mse`] that the worst thousandth of the pixels carries: 0.001 if all were

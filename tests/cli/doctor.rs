@@ -177,6 +177,8 @@ fn bad_values_end_with_2() {
         (&["--reading", "pi"][..], "a finite number is needed"),
         (&["--reading", "NaN"], "a finite number is needed"),
         (&["--error", "0"], "a standard error is above 0"),
+        (&["--error", "-1"], "a standard error is above 0"),
+        (&["--tilt", "-30"], "a tilt is from 0 to 90 degrees"),
         (&["--albedo", "1.5"], "an albedo is from 0 to 1"),
         (&["--tilt", "91"], "a tilt is from 0 to 90 degrees"),
         (&["--samples", "0"], "--samples"),

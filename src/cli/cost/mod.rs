@@ -36,7 +36,7 @@ pub struct Cost {
         allow_negative_numbers = true, value_parser = whole(1_u32..=1000))]
     replicates: u32,
     /// Seconds for all of it, about
-    #[arg(long, default_value_t = 120.0, value_name = "SECONDS", value_parser = budget)]
+    #[arg(long, default_value_t = 120.0, value_name = "SECONDS", allow_negative_numbers = true, value_parser = budget)]
     budget: f64,
     /// Image size in pixels for the measurement, such as 96x64 [default: the scene's shape, 64 pixels
     /// at its longer side]

@@ -32,16 +32,16 @@ pub struct Doctor {
     #[arg(long, value_enum)]
     space: Option<World>,
     /// Standard error of the reading [default: half a unit of its last digit]
-    #[arg(long, requires = "reading", value_parser = error)]
+    #[arg(long, requires = "reading", allow_negative_numbers = true, value_parser = error)]
     error: Vec<f64>,
     /// Albedo of the surface [default: 1]
-    #[arg(long, requires = "reading", value_parser = albedo)]
+    #[arg(long, requires = "reading", allow_negative_numbers = true, value_parser = albedo)]
     albedo: Vec<f32>,
     /// Directions of each gather [default: 16]
     #[arg(long, requires = "reading", allow_negative_numbers = true, value_parser = whole(1_u32..=u32::MAX))]
     samples: Vec<u32>,
     /// Tilt of the surface, from 0 to 90 degrees [default: 0]
-    #[arg(long, requires = "reading", value_name = "DEGREES", value_parser = tilt)]
+    #[arg(long, requires = "reading", value_name = "DEGREES", allow_negative_numbers = true, value_parser = tilt)]
     tilt: Vec<f32>,
     /// How often the light was reflected [default: 1]
     #[arg(long, requires = "reading", allow_negative_numbers = true, value_parser = whole(1_u32..=1000))]
