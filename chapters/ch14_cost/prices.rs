@@ -30,13 +30,14 @@ pub struct Prices {
 
 /// Measures and records all prices.
 pub fn work(desk: &mut Desk) -> Result<Prices, DeskError> {
-    let side = desk.choose(36, 16);
+    // In smaller pictures the edge of the lamp, in few large pixels, would decide all.
+    let side = desk.choose(48, 32);
     let scene = gallery::load_with("cornell", |said| said.film.size = [side; 2])?;
     // ANCHOR: measure
     let design = Design {
         replicates: desk.choose(10, 6),
         sizes: 3,
-        budget: Budget::Rays(desk.choose(150_000, 30_000)),
+        budget: Budget::Rays(desk.choose(210_000, 100_000)),
         reference: 16,
         threads: None,
         seed: desk.options.seed,

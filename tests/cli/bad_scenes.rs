@@ -272,9 +272,9 @@ name = "sample" | name = "sample |  | is not proper TOML
 fn a_list_in_the_place_of_a_table_is_told_the_fields_of_the_table() {
     check(
         r#"
-radius = 0.5 } | radius = 0.5 }⏎transform = { rotate = [0, 90, 0] } # <- | objects[1].transform.rotate | must be a table, not a list; its fields are axis, degrees
-radius = 0.5 } | radius = 0.5 }⏎transform = { rotate = [[0, 1, 0], 90] } # <- | objects[1].transform.rotate | must be a table, not a list; its fields are axis, degrees
-radius = 0.5 } | radius = 0.5 }⏎transform = [2] # <- | objects[1].transform | must be a table, not a list; its fields are scale, rotate, translate
+rotate = { axis = [0, 1, 0], degrees = 30 } | rotate = [0, 90, 0] | objects[1].transform.rotate | must be a table, not a list; its fields are axis, degrees
+rotate = { axis = [0, 1, 0], degrees = 30 } | rotate = [[0, 1, 0], 30] | objects[1].transform.rotate | must be a table, not a list; its fields are axis, degrees
+sphere = { center = [1, 0.5, 0], radius = 0.5 } | sphere = [[1, 0.5, 0], 0.5] | objects[1].sphere | must be a table, not a list; its fields are center, radius, inward
 lambert = { albedo = [0.5, 0.4, 0.3] } | lambert = [0.5] | materials.dull.lambert | must be a table, not a list; its fields are albedo
 "#,
     );

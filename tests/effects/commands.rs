@@ -117,7 +117,7 @@ fn what_is_not_there_cannot_be_left_out() {
 
 /// What `effects --measure` says that a picture lacks without an effect is the share of the class of
 /// paths that `classify` says the effect brings: the same set of words, measured twice. It sees a
-/// difference of about a tenth of the share.
+/// difference of half the share at the least.
 #[test]
 fn effects_and_classify_measure_the_same_caustics_and_the_same_bleeding() {
     let folder = folder();
@@ -157,7 +157,7 @@ fn effects_and_classify_measure_the_same_caustics_and_the_same_bleeding() {
                 "{scene} {effect}: {share:?} {missing:?}"
             );
             assert!(
-                error < 0.05 * share[0].max(0.02),
+                error < 0.1 * share[0].max(0.02),
                 "{scene} {effect}: {share:?} {missing:?}"
             );
         }

@@ -44,6 +44,17 @@ pub struct Floor {
 }
 
 impl Floor {
+    /// The same where pictures were measured to be at most `most` off: what stays is a part of that.
+    #[must_use]
+    pub(super) fn at_most(self, most: f64) -> Floor {
+        let high = self.high.min(most).max(self.low);
+        Floor {
+            error: self.error.min(high),
+            high,
+            ..self
+        }
+    }
+
     /// True where it is known to some digits; else only its interval says anything.
     pub fn is_known(&self) -> bool {
         self.high < 2.0 * self.low

@@ -148,6 +148,10 @@ fn priced(runs: &Runs, measured: &Measured) -> Priced {
     let bias = runs.sums.bias(measured.truth(&runs.method));
     let sizes: Vec<Size> = (0..runs.spp.len()).map(|k| size(runs, k)).collect();
     let verdict = verdict(&against_rays, bias, runs.method.is_independent());
+    // The error of the largest pictures, and two of its own errors more.
+    let most_off = sizes
+        .last()
+        .map_or(f64::INFINITY, |s| s.error + 2.0 * s.error_error);
     let mut counts = RayCounts::default();
     runs.runs
         .iter()
@@ -175,7 +179,7 @@ fn priced(runs: &Runs, measured: &Measured) -> Priced {
         bias,
         levels_out: bias
             .filter(|_| verdict == Verdict::Biased)
-            .map(|bias| bias.levels_out()),
+            .map(|bias| bias.levels_out().at_most(most_off)),
         ratios: Vec::new(),
         ray_ratios: Vec::new(),
         non_finite: runs.runs.iter().flatten().map(|run| run.non_finite).sum(),
