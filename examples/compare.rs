@@ -7,6 +7,7 @@
 //! `--features flip` (and a C++ compiler) the perceptual difference FLIP is there, too.
 
 use clap::Parser;
+use halfdisk::render::accuracy::Scale;
 use halfdisk::render::{Picture, compare};
 use std::error::Error;
 use std::path::{Path, PathBuf};
@@ -23,7 +24,7 @@ struct Arguments {
     #[arg(long, default_value_t = 1, value_parser = clap::value_parser!(u32).range(1..))]
     squares: u32,
     /// Where the signed difference goes as a PNG: red is too bright, blue too dark, full colour at
-    /// twenty percent of the reference (plus 0.05)
+    /// twenty percent of the brightness around in the reference
     #[arg(long, value_name = "FILE.png")]
     out: Option<PathBuf>,
 }
@@ -73,7 +74,7 @@ fn run(arguments: &Arguments) -> Result<(), Box<dyn Error>> {
 fn report(a: &Picture, b: &Picture) -> String {
     let mse = compare::mse(a, b);
     let mut text = format!(
-        "MSE       {mse:.4e}\nRMSE      {:.4e}\nrelMSE    {:.4e}, of which the worst 0.1 % of values \
+        "MSE       {mse:.4e}\nRMSE      {:.4e}\nrelMSE    {:.4e}, of which the worst 0.1 % of the pixels \
          carry {:.1} %\n",
         mse.sqrt(),
         compare::rel_mse(a, b),
@@ -100,14 +101,15 @@ fn report(a: &Picture, b: &Picture) -> String {
     text
 }
 
-/// The difference in relation to the reference: red where the picture is brighter, blue where it is
+/// The difference relative to the brightness around in the reference: red where the picture is brighter, blue where it is
 /// darker, white where they agree.
 fn signed(a: &Picture, b: &Picture) -> Vec<u8> {
     let grey = |p: &[f64; 3]| p.iter().sum::<f64>() / 3.0;
-    let pairs = a.values.iter().zip(&b.values);
+    let scale = Scale::of(b);
+    let pairs = a.values.iter().zip(&b.values).enumerate();
     pairs
-        .flat_map(|(x, y)| {
-            let off = (grey(x) - grey(y)) / (grey(y).abs() + 0.05) / 0.2;
+        .flat_map(|(i, (x, y))| {
+            let off = scale.signed(i, grey(x) - grey(y)) / 0.2;
             let fade = |x: f64| (255.0 * (1.0 - x.clamp(0.0, 1.0))).round() as u8;
             [fade(-off), fade(off.abs()), fade(off)]
         })
@@ -151,8 +153,8 @@ mod tests {
     fn figures_of_two_pixels() {
         let text = report(&picture([1.1, 2.0], 0.03), &picture([1.0, 2.0], 0.04));
         assert!(text.contains("MSE       5.0000e-3"), "{text}");
-        // (0.1)² / 1.01 over two pixels; (0.1 / 0.05)² = 4 over two.
-        assert!(text.contains("relMSE    4.9505e-3"), "{text}");
+        // (0.1 / 1.5)² over two pixels; (0.1 / 0.05)² = 4 over two.
+        assert!(text.contains("relMSE    2.2222e-3"), "{text}");
         assert!(text.contains("mean z² 2.000"), "{text}");
     }
 

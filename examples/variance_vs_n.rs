@@ -21,7 +21,8 @@ fn main() -> Result<(), Box<dyn Error>> {
         for size in &run.sizes {
             println!(
                 "{:>8} samples: variance {:.3e}",
-                size.samples, size.variance
+                size.samples,
+                size.variance.unwrap_or(f64::NAN)
             );
         }
     }

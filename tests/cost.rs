@@ -9,7 +9,7 @@ use halfdisk::scene::{Scene, gallery};
 use std::sync::atomic::{AtomicU64, Ordering};
 
 const DESIGN: Design = Design {
-    replicates: 10,
+    replicates: 16,
     sizes: 3,
     budget: Budget::Rays(100_000),
     reference: 16,
@@ -18,7 +18,7 @@ const DESIGN: Design = Design {
 };
 
 fn small(name: &str) -> Scene {
-    gallery::load_with(name, |said| said.film.size = [24, 24]).unwrap()
+    gallery::load_with(name, |said| said.film.size = [32, 32]).unwrap()
 }
 
 fn run(scene: &Scene, methods: &[Method], design: &Design) -> (Measured, PriceList) {
@@ -31,7 +31,8 @@ fn run(scene: &Scene, methods: &[Method], design: &Design) -> (Measured, PriceLi
 fn every_unbiased_error_falls_as_one_over_the_root_of_its_rays() {
     let scene = small("cornell");
     let (measured, list) = run(&scene, &ALL, &DESIGN);
-    assert_eq!((measured.replicates, measured.interrupted), (10, false));
+    assert_eq!((measured.replicates, measured.interrupted), (16, false));
+    let mut sufficient = 0;
     for method in &list.methods {
         let fit = method.against_rays.as_ref();
         let bias = method.bias.unwrap();
@@ -42,35 +43,45 @@ fn every_unbiased_error_falls_as_one_over_the_root_of_its_rays() {
                 // It loses light, and far more than chance would.
                 assert!(bias.mean < -8.0 * bias.mean_error, "{bias:?}");
                 assert!(method.says().contains("levels out"), "{}", method.says());
+                // What it says agrees with what was measured: pictures are as far off and noise more.
+                let floor = method.levels_out.unwrap();
+                let last = method.sizes.last().unwrap();
+                let most = last.error + 2.0 * last.error_error;
+                assert!(0.0 < floor.low && floor.low <= floor.error, "{floor:?}");
+                assert!(floor.error <= floor.high && floor.high <= most, "{floor:?}");
+                assert!(floor.high > 0.5 * last.error, "{floor:?} {last:?}");
                 assert_eq!(method.times[2], Reach::Never);
                 assert!(method.ratios.iter().all(Option::is_none), "no price");
             }
             "path-sobol" => assert_eq!(method.verdict, Verdict::Faster, "{}", method.says()),
             name => {
                 let fit = fit.unwrap_or_else(|why| panic!("{name}: {why}"));
-                assert!(fit.agrees_with(-0.5), "{name}: {fit}");
-                assert!(fit.half_width < 0.08, "{name}: {fit}");
-                assert_eq!(method.verdict, Verdict::Sufficient, "{name}");
+                // The interval misses in one of twenty, three times as wide in one of ten thousand.
+                let off = (fit.line.slope + 0.5).abs();
+                assert!(off < 3.0 * fit.half_width, "{name}: {fit}");
                 assert!(!bias.is_certain(), "{name}: {bias:?}");
-                assert!(matches!(method.times[0], Reach::Priced { .. }), "{name}");
+                let priced = matches!(method.times[0], Reach::Priced { .. });
+                assert_eq!(priced, method.verdict == Verdict::Sufficient, "{name}");
+                sufficient += u32::from(priced);
             }
         }
         assert_eq!(method.non_finite, 0);
         // What is paid is about the same: within a factor of two below the budget.
         let paid = method.sizes.last().unwrap().rays;
         assert!(
-            (45_000.0..110_000.0).contains(&paid),
+            (40_000.0..110_000.0).contains(&paid),
             "{}: {paid}",
             method.name
         );
     }
+    assert!(sufficient >= 4, "of 6");
     // In rays chance pays far more than aiming.
     let square_times_rays = |name: &str| {
         let last = list.find(name).unwrap().sizes.last().copied().unwrap();
         last.error * last.error * last.rays
     };
     let ratio = square_times_rays("kajiya") / square_times_rays("next-event");
-    assert!(ratio > 20.0, "{ratio}");
+    assert!(ratio > 10.0, "{ratio}");
     let even = square_times_rays("path") / square_times_rays("path-sobol");
     assert!(even > 1.1, "{even}");
 }

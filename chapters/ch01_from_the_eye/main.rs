@@ -15,6 +15,7 @@ use halfdisk::ledger::Ledger;
 use halfdisk::render::compare;
 use halfdisk::scene::gallery;
 use halfdisk::stats::Estimate;
+use halfdisk::stats::z_test::Largest;
 use std::process::ExitCode;
 
 const CHAPTER: Chapter = Chapter {
@@ -33,18 +34,18 @@ fn work(desk: &mut Desk) -> Result<Ledger, DeskError> {
     // ANCHOR: counts
     // How many of a million rays from a lamp enter an eye three units away?
     let (rays, distance) = (1_000_000, 3.0);
-    let mut worst = 0.0_f64;
+    let mut compared = Largest::default();
     for (name, width) in [("slit", 0.4), ("slit_doubled", 0.8), ("slit_pinhole", 0.0)] {
         let hits = count_through_slit(width, distance, rays, seed);
         let chance = slit_chance(width.into(), distance.into());
         let says = format!("flat world: rays through a slit of width {width}");
-        worst = worst.max(counted(desk, name, &says, &hits, chance));
+        compared.add(counted(desk, name, &says, &hits, chance));
     }
     for (name, radius) in [("disc", 0.2), ("disc_doubled", 0.4), ("disc_pinhole", 0.0)] {
         let hits = count_through_disc(radius, distance, rays, seed);
         let chance = disc_chance(radius.into(), distance.into());
         let says = format!("space: rays through a disc of radius {radius}");
-        worst = worst.max(counted(desk, name, &says, &hits, chance));
+        compared.add(counted(desk, name, &says, &hits, chance));
     }
     // ANCHOR_END: counts
     figures::drawings(desk)?;
@@ -89,7 +90,7 @@ fn work(desk: &mut Desk) -> Result<Ledger, DeskError> {
     Ok(Ledger {
         rays: 6 * u64::from(rays) + light.rays + eye.rays + reference.rays,
         variance: Some(variance),
-        bias_in_errors: Some(worst),
+        compared: Some(compared.into()),
         efficiency: Some(1.0 / (2.0 * variance)),
         ..Ledger::of(&format!(
             "From the eye no ray is lost; from the light {wasted:.0} are, for each that arrives."

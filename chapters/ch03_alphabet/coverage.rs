@@ -12,6 +12,7 @@ use halfdisk::scene::description::{
 };
 use halfdisk::scene::{Scene, gallery};
 use halfdisk::stats::Estimate;
+use halfdisk::stats::z_test::Largest;
 use std::f64::consts::PI;
 
 /// Where the lamp is that takes the place of the room's own.
@@ -22,10 +23,10 @@ const INTENSITY: f64 = 200_000.0;
 /// The light of a point that walks from the eye find.
 const BY_POINT: [Class; 3] = [Class::Direct, Class::DirectSpecular, Class::Bleeding];
 
-/// The rays, and the largest distance of a picture from what the expressions say, in standard errors.
-pub fn work(desk: &mut Desk) -> Result<(u64, f64), DeskError> {
-    let (by_lamp, worst) = room(desk, "lamp", |_| {})?;
-    let (by_point, worst_of_point) = room(desk, "point", point)?;
+/// The rays, and how far the pictures are from what the expressions say.
+pub fn work(desk: &mut Desk) -> Result<(u64, Largest), DeskError> {
+    let (by_lamp, compared) = room(desk, "lamp", |_| {})?;
+    let (by_point, of_point) = room(desk, "point", point)?;
     // What the point's light would be if it were a small ball: then paths find all of it.
     let scene = load(desk, |said| ball(said, 20.0))?;
     let (mut lost, mut rays) = (Estimate::new(), by_lamp + by_point);
@@ -38,7 +39,7 @@ pub fn work(desk: &mut Desk) -> Result<(u64, f64), DeskError> {
     }
     let says = "caustics of a small ball, percent of what a point's paths find";
     desk.estimate("ball_caustic", says, &lost, None);
-    Ok((rays, worst.max(worst_of_point)))
+    Ok((rays, compared.with(of_point)))
 }
 
 fn load(desk: &Desk, change: impl FnOnce(&mut Description)) -> Result<Scene, DeskError> {
@@ -80,7 +81,7 @@ fn room(
     desk: &mut Desk,
     lamp: &str,
     change: impl FnOnce(&mut Description),
-) -> Result<(u64, f64), DeskError> {
+) -> Result<(u64, Largest), DeskError> {
     let scene = load(desk, change)?;
     desk.say(&format!("\nthe room with a {lamp}"));
     let spelt: Vec<Words> = (0..desk.choose(24, 8))
@@ -88,7 +89,7 @@ fn room(
         .collect();
     let all: Estimate = spelt.iter().map(|words| words.total.mean()).collect();
     let mut rays: u64 = spelt.iter().map(|words| words.rays).sum();
-    let mut worst = 0.0_f64;
+    let mut compared = Largest::default();
     for named in Named::ALL {
         let found = |class: &Class| finds(named, *class, &scene.inventory);
         for class in Class::ALL {
@@ -116,10 +117,10 @@ fn room(
         desk.number(&format!("{lamp}_{}", key(named)), number);
         // `path` is compared with itself, and differs by rounding alone.
         if apart.std_error() > 1e-6 * all.mean() {
-            worst = worst.max(apart.z(0.0).abs());
+            compared.add(apart.z(0.0));
         }
     }
-    Ok((rays, worst))
+    Ok((rays, compared))
 }
 
 /// 1 where the integrator finds the class, 0 where it does not, nothing where there is no such light.

@@ -58,11 +58,11 @@ fn work(desk: &mut Desk) -> Result<Ledger, DeskError> {
     let drawn = figures::strip(desk)?;
 
     // What each integrator finds: said by the expressions, and measured.
-    let (rays, worst) = coverage::work(desk)?;
+    let (rays, compared) = coverage::work(desk)?;
     Ok(Ledger {
         rays: spelt + drawn.rays + rays,
         variance: Some(drawn.variance),
-        bias_in_errors: Some(worst),
+        compared: Some(compared.into()),
         efficiency: Some(1.0 / (drawn.variance * drawn.per_sample)),
         ..Ledger::of(&format!(
             "What is missing is known beforehand, by name: of this room's light Whitted's tree \

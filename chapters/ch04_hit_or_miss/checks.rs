@@ -25,17 +25,17 @@ pub fn relative(factors: &[Estimate]) -> f64 {
     squares.sum::<f64>().sqrt()
 }
 
-/// Records a value with its error and the truth; how many standard errors it is away from it.
+/// Records a value with its error and the truth; how many standard errors it lies above it.
 pub fn checked(desk: &mut Desk, name: &str, says: &str, [value, error, exact]: [f64; 3]) -> f64 {
     let number = Number {
         error: Some(error),
         ..Number::new(says, value).exact(exact)
     };
     desk.number(name, number);
-    (value - exact).abs() / error
+    (value - exact) / error
 }
 
-/// Records the slope of an error against samples; how far from the truth, in standard errors.
+/// Records the slope of an error against samples; how far above the truth, in standard errors.
 pub fn slope(desk: &mut Desk, run: &Convergence, exact: f64) -> f64 {
     let (Ok(fit) | Err(Insufficient::Wide(fit))) = run.fit else {
         return f64::INFINITY;

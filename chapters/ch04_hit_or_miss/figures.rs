@@ -10,6 +10,7 @@ use halfdisk::estimators::{hit_or_miss, many_dimensions};
 use halfdisk::experiment::convergence::{Convergence, Design, converge};
 use halfdisk::experiment::named;
 use halfdisk::sampling::stream::{Purpose, Stream};
+use halfdisk::stats::z_test::Largest;
 use std::f64::consts::{FRAC_PI_2, PI};
 
 /// A few hundred darts and the quarter circle.
@@ -104,9 +105,13 @@ pub fn chart(desk: &mut Desk, curves: &[Convergence]) -> Result<(), DeskError> {
     desk.figure("chart.svg", caption, chart.to_svg()?)
 }
 
-/// The error of as many points on a grid and by chance, in 1 to 8 dimensions; the largest distance
-/// from the truth in standard errors, and the points spent.
-pub fn dimensions(desk: &mut Desk, points: u32, replicates: u32) -> Result<(f64, u64), DeskError> {
+/// The error of as many points on a grid and by chance, in 1 to 8 dimensions; how far from the truth,
+/// and the points spent.
+pub fn dimensions(
+    desk: &mut Desk,
+    points: u32,
+    replicates: u32,
+) -> Result<(Largest, u64), DeskError> {
     let design = Design {
         replicates,
         doublings: 1,
@@ -114,7 +119,7 @@ pub fn dimensions(desk: &mut Desk, points: u32, replicates: u32) -> Result<(f64,
         seed: desk.options.seed,
     };
     desk.value("grid_points", "points to spend", points.into());
-    let (mut worst, mut crossing) = (0.0_f64, None);
+    let (mut compared, mut crossing) = (Largest::default(), None);
     let (mut grids, mut chances) = (Vec::new(), Vec::new());
     for d in 1..=8 {
         let whole = whole_grid(points, d).map(|steps| many_dimensions::grid(d, steps) - 1.0);
@@ -134,7 +139,7 @@ pub fn dimensions(desk: &mut Desk, points: u32, replicates: u32) -> Result<(f64,
         let says = format!("error in d = {d} dimensions, by chance");
         let exact = many_dimensions::deviation(d) / f64::from(points).sqrt();
         let found = [size.rmse, size.rmse_error, exact];
-        worst = worst.max(checked(desk, &format!("chance_{d}"), &says, found));
+        compared.add(checked(desk, &format!("chance_{d}"), &says, found));
         chances.push((f64::from(d), size.rmse, size.rmse_error));
         if whole.is_some_and(|error| error > size.rmse) {
             crossing = crossing.or(Some(d));
@@ -173,7 +178,7 @@ pub fn dimensions(desk: &mut Desk, points: u32, replicates: u32) -> Result<(f64,
     let caption = "A grid is hard to beat in one dimension; from four on chance does better.";
     desk.figure("dimensions.svg", caption, chart.to_svg()?)?;
     let spent = 8 * u64::from(replicates) * u64::from(points);
-    Ok((worst, spent))
+    Ok((compared, spent))
 }
 
 /// The steps along each of `d` axes where so many points fill a grid.

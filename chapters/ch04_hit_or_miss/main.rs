@@ -13,6 +13,7 @@ use halfdisk::experiment::convergence::{Design, converge};
 use halfdisk::experiment::named;
 use halfdisk::ledger::Ledger;
 use halfdisk::stats::Estimate;
+use halfdisk::stats::z_test::Largest;
 use rayon::prelude::*;
 use std::f64::consts::{FRAC_1_SQRT_2, PI};
 use std::process::ExitCode;
@@ -38,7 +39,7 @@ fn work(desk: &mut Desk) -> Result<Ledger, DeskError> {
     // Every run of every experiment has a seed of its own.
     let first = seed.wrapping_mul(0x9e37_79b9_7f4a_7c15);
     let own = |part: u64, run: u64| first.wrapping_add(part << 48 | run);
-    let mut worst = 0.0_f64;
+    let mut compared = Largest::default();
 
     // What one dart, and one height, is worth.
     let batch = desk.choose(1 << 18, 1 << 14);
@@ -50,7 +51,7 @@ fn work(desk: &mut Desk) -> Result<Ledger, DeskError> {
     ] {
         let (value, error) = (mean.mean(), mean.std_error());
         let says = format!("pi, by {name}");
-        worst = worst.max(checked(
+        compared.add(checked(
             desk,
             &format!("pi_{name}"),
             &says,
@@ -59,14 +60,14 @@ fn work(desk: &mut Desk) -> Result<Ledger, DeskError> {
         let sigma = variance.mean().sqrt();
         let found = [sigma, variance.std_error() / (2.0 * sigma), exact.sqrt()];
         let says = "  standard deviation of one sample";
-        worst = worst.max(checked(desk, &format!("sigma_{name}"), says, found));
+        compared.add(checked(desk, &format!("sigma_{name}"), says, found));
     }
     let [dart, height] = [darts[1], heights[1]];
     let ratio = dart.mean() / height.mean();
     let error = ratio * relative(&[dart, height]);
     let exact = PI * (4.0 - PI) / (32.0 / 3.0 - PI * PI);
     let says = "darts for the error of one height";
-    worst = worst.max(checked(desk, "variance_ratio", says, [ratio, error, exact]));
+    compared.add(checked(desk, "variance_ratio", says, [ratio, error, exact]));
     figures::darts(desk)?;
     figures::running(desk)?;
 
@@ -81,7 +82,7 @@ fn work(desk: &mut Desk) -> Result<Ledger, DeskError> {
     // ANCHOR_END: coverage
     let says = "share of bands of two standard errors that hold pi";
     let found = [share.mean(), share.std_error(), coverage(RUN)];
-    worst = worst.max(checked(desk, "coverage", says, found));
+    compared.add(checked(desk, "coverage", says, found));
 
     // The rate: error against samples, over independent repetitions.
     let design = Design {
@@ -104,7 +105,9 @@ fn work(desk: &mut Desk) -> Result<Ledger, DeskError> {
         let run = converge(&estimator, &design);
         let z = slope(desk, &run, exact);
         // The power -3/4 is that of many darts: at few of them it is no closed form.
-        worst = if exact == -0.5 { worst.max(z) } else { worst };
+        if exact == -0.5 {
+            compared.add(z);
+        }
         curves.push(run);
     }
     figures::chart(desk, &curves)?;
@@ -121,18 +124,18 @@ fn work(desk: &mut Desk) -> Result<Ledger, DeskError> {
     let exact = 2.0 / PI * libm::atan(FRAC_1_SQRT_2);
     let says = "share of pairs in which twice the samples are further off";
     let found = [share.mean(), share.std_error(), exact];
-    worst = worst.max(checked(desk, "worse", says, found));
+    compared.add(checked(desk, "worse", says, found));
 
     // The same number of points in 1 to 8 dimensions, on a grid and by chance.
     let replicates = desk.choose(512, 64);
-    let (z, spent) = figures::dimensions(desk, POINTS, replicates)?;
+    let (by_dimension, spent) = figures::dimensions(desk, POINTS, replicates)?;
     let samples = curves.iter().flat_map(|run| &run.sizes);
     let rate: u64 = samples.map(|s| s.rays).sum::<u64>() * u64::from(design.replicates);
     let variance = dart.mean();
     Ok(Ledger {
         rays: 2 * BATCHES * u64::from(batch) + runs * u64::from(RUN) + rate + pairs * 600 + spent,
         variance: Some(variance),
-        bias_in_errors: Some(worst.max(z)),
+        compared: Some(compared.with(by_dimension).into()),
         efficiency: Some(1.0 / variance),
         ..Ledger::of(
             "Any integral, with an error bar of its own; one more digit takes a hundred times the \

@@ -16,6 +16,7 @@ use halfdisk::experiment::named;
 use halfdisk::flatland::{FlatHit, FlatWorld, exact, load};
 use halfdisk::ledger::Ledger;
 use halfdisk::space::Dimension;
+use halfdisk::stats::z_test::Largest;
 use std::f64::consts::{FRAC_2_PI, PI};
 use std::process::ExitCode;
 
@@ -37,6 +38,7 @@ fn work(desk: &mut Desk) -> Result<Ledger, DeskError> {
     let gathers = desk.choose(400_000, 40_000);
     figures::readings(desk, gathers);
 
+    let mut compared = Largest::default();
     // ANCHOR: lamp
     // A lamp over a floor: the essay's formula as it stands, and the seven steps.
     let lamp = load("lamp")?;
@@ -59,6 +61,7 @@ fn work(desk: &mut Desk) -> Result<Ledger, DeskError> {
     let says = "a lamp over a floor: the formula as printed";
     desk.estimate("segment_printed", says, &printed, Some(FRAC_2_PI * truth));
     // ANCHOR_END: lamp
+    compared.add(read.z(truth));
 
     // ANCHOR: room
     // A room whose ceiling shines: the gather asks itself at each hit, forty surfaces deep.
@@ -70,6 +73,7 @@ fn work(desk: &mut Desk) -> Result<Ledger, DeskError> {
     let says = "a room with a shining ceiling: middle of the floor";
     desk.estimate("room", says, &read, Some(exact::ROOM_FLOOR));
     // ANCHOR_END: room
+    compared.add(read.z(exact::ROOM_FLOOR));
 
     // More rays help the right estimator, not the wrong one.
     let design = Design {
@@ -97,7 +101,7 @@ fn work(desk: &mut Desk) -> Result<Ledger, DeskError> {
     Ok(Ledger {
         rays: 2 * u64::from(samples) + u64::from(walks) * 41 + 7 * 16 * u64::from(gathers),
         variance: Some(variance),
-        bias_in_errors: Some(read.z(exact::ROOM_FLOOR).abs()),
+        compared: Some(compared.into()),
         efficiency: Some(1.0 / variance),
         ..Ledger::of(
             "Light from everywhere, by rays in random directions: one answer that four lines can \

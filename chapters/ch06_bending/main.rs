@@ -17,7 +17,7 @@ use halfdisk::ledger::Ledger;
 use halfdisk::sampling::stream::Stream;
 use halfdisk::space::{Flat, Solid, Space};
 use halfdisk::stats::Estimate;
-use halfdisk::stats::z_test::{FOUR, ROUNDING, z_test};
+use halfdisk::stats::z_test::{FOUR, Largest, ROUNDING, z_test};
 use std::f64::consts::{FRAC_PI_4, PI};
 use std::process::ExitCode;
 
@@ -43,14 +43,15 @@ fn work(desk: &mut Desk) -> Result<Ledger, DeskError> {
 
     // What one sample is worth.
     let of_flat = 5.0 * PI * PI / 64.0 - 9.0 / 16.0;
-    let (gain_flat, z_flat, _) = variances::<Flat>(desk, "flat", of_flat);
-    let (gain_solid, z_solid, variance) = variances::<Solid>(desk, "solid", 13.0 / 48.0);
+    let (gain_flat, in_flat, _) = variances::<Flat>(desk, "flat", of_flat);
+    let (gain_solid, in_solid, variance) = variances::<Solid>(desk, "solid", 13.0 / 48.0);
     let rays = u64::from(desk.choose(1_000_000, 100_000_u32));
-    let worst = [flat.1, solid.1, z_flat, z_solid];
+    let mut compared = in_flat.with(in_solid);
+    [flat.1, solid.1].into_iter().for_each(|z| compared.add(z));
     Ok(Ledger {
         rays: 6 * rays + spent,
         variance: Some(variance),
-        bias_in_errors: Some(worst.into_iter().fold(0.0, f64::max)),
+        compared: Some(compared.into()),
         efficiency: Some(1.0 / variance),
         ..Ledger::of(&format!(
             "Cosine directions do the work of {gain_flat:.2} times as many uniform ones in the \
@@ -79,11 +80,11 @@ fn two_tone<S: Space>(recipe: Recipe, rays: u32, seed: u64) -> [Estimate; 2] {
 }
 // ANCHOR_END: two_tone
 
-/// Records what one sample's variance is: how much the cosine gains, the largest |z|, and the
-/// variance of a cosine sample.
-fn variances<S: Space>(desk: &mut Desk, name: &str, of_uniform: f64) -> (f64, f64, f64) {
+/// Records what one sample's variance is: how much the cosine gains, how far all is from its truth,
+/// and the variance of a cosine sample.
+fn variances<S: Space>(desk: &mut Desk, name: &str, of_uniform: f64) -> (f64, Largest, f64) {
     let (rays, seed) = (desk.choose(1_000_000, 100_000), desk.options.seed);
-    let mut worst = 0.0_f64;
+    let mut compared = Largest::default();
     let mut variance = |desk: &mut Desk, way: &str, recipe, exact: f64| {
         let [mean, square] = two_tone::<S>(recipe, rays, seed);
         let says = format!("{name}: variance of one {way} sample");
@@ -96,7 +97,7 @@ fn variances<S: Space>(desk: &mut Desk, name: &str, of_uniform: f64) -> (f64, f6
             Number { error, ..number },
         );
         for (estimate, truth) in [(mean, 0.75), (square, exact)] {
-            worst = worst.max(z_test(&estimate, truth, FOUR).z.abs());
+            compared.add(z_test(&estimate, truth, FOUR).z);
         }
         square
     };
@@ -110,5 +111,5 @@ fn variances<S: Space>(desk: &mut Desk, name: &str, of_uniform: f64) -> (f64, f6
     let even = furnace::open::<S>(Recipe::Cosine, 1.0, 1, rays, seed).variance();
     let says = format!("{name}: variance of a cosine sample under an even sky");
     desk.known(&format!("furnace_variance_{name}"), &says, even, 0.0);
-    (gain, worst, cosine.mean())
+    (gain, compared, cosine.mean())
 }

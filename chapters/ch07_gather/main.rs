@@ -16,6 +16,7 @@ use halfdisk::ledger::Ledger;
 use halfdisk::render::{Options, Rendered, render};
 use halfdisk::scene::{Scene, gallery};
 use halfdisk::space::Solid;
+use halfdisk::stats::z_test::Largest;
 use std::f64::consts::PI;
 use std::process::ExitCode;
 
@@ -43,14 +44,14 @@ fn work(desk: &mut Desk) -> Result<Ledger, DeskError> {
 
     // ANCHOR: bounces
     // A room whose walls all glow: bounce k adds the k-th power of the albedo.
-    let mut worst = 0.0_f64;
+    let mut compared = Largest::default();
     let (albedo, walks) = (0.5, desk.choose(400_000, 100_000));
     for k in 0..=3 {
         let read = furnace::bounce::<Solid>(Recipe::Uniform, albedo, k, walks, seed);
         let exact = f64::from(albedo).powi(k as i32);
         let says = format!("glowing room: what bounce {k} adds");
         desk.estimate(&format!("bounce_{k}"), &says, &read, Some(exact));
-        worst = worst.max(read.z(exact).abs());
+        compared.add(read.z(exact));
     }
     // ANCHOR_END: bounces
 
@@ -68,7 +69,7 @@ fn work(desk: &mut Desk) -> Result<Ledger, DeskError> {
     ] {
         let says = format!("irradiance from {says}");
         desk.estimate(name, &says, &read, Some(exact));
-        worst = worst.max(read.z(exact).abs());
+        compared.add(read.z(exact));
     }
 
     figures::growth(desk, seed)?;
@@ -82,7 +83,7 @@ fn work(desk: &mut Desk) -> Result<Ledger, DeskError> {
     Ok(Ledger {
         rays: drawn + rays.total() + bleeding + 3 * u64::from(samples),
         variance: Some(variance),
-        bias_in_errors: Some(worst),
+        compared: Some(compared.into()),
         efficiency: Some(1.0 / (variance * per_sample)),
         ..Ledger::of(&format!(
             "Every wall lights every other, for {per_sample:.0} rays a sample: each further bounce \

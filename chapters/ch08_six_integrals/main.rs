@@ -17,6 +17,7 @@ use halfdisk::render::{Options, Rendered, render};
 use halfdisk::sampling::stream::Purpose;
 use halfdisk::scene::{Scene, gallery};
 use halfdisk::space::{Flat, Solid};
+use halfdisk::stats::z_test::Largest;
 use std::f64::consts::{LN_2, PI};
 use std::process::ExitCode;
 
@@ -36,7 +37,7 @@ fn work(desk: &mut Desk) -> Result<Ledger, DeskError> {
 
     // Each integral in a row of pixels of its own, against its closed form.
     let mut rows = Vec::new();
-    let mut worst = 0.0_f64;
+    let mut compared = Largest::default();
     for profile in Profile::all() {
         let (row, rays) = profile.read(desk.choose(65_536, 4096), seed, |_| {})?;
         let z = row.iter().map(|r| r.z().abs()).fold(0.0, f64::max);
@@ -52,7 +53,7 @@ fn work(desk: &mut Desk) -> Result<Ledger, DeskError> {
             let error = Some(error);
             desk.number(&format!("width_{name}"), Number { error, ..number });
         }
-        worst = worst.max(z);
+        row.iter().for_each(|r| compared.add(r.z()));
         drawn += rays.total();
         rows.push((profile, row));
     }
@@ -66,7 +67,8 @@ fn work(desk: &mut Desk) -> Result<Ledger, DeskError> {
     let cone = irradiance::<Solid, _>(ball::<Solid>(0.5, 0.0), samples, seed);
     desk.estimate("groove", "irradiance in a groove", &groove, Some(1.0));
     desk.estimate("cone", "irradiance in a cone", &cone, Some(PI / 4.0));
-    worst = worst.max(groove.z(1.0).abs()).max(cone.z(PI / 4.0).abs());
+    compared.add(groove.z(1.0));
+    compared.add(cone.z(PI / 4.0));
 
     // The same scene without any integral, with each alone, and with all.
     let scene = gallery::load_with("six", |said| said.film.size = [160, 120])?;
@@ -98,7 +100,7 @@ fn work(desk: &mut Desk) -> Result<Ledger, DeskError> {
     Ok(Ledger {
         rays: drawn + 2 * u64::from(samples),
         variance: Some(variance),
-        bias_in_errors: Some(worst),
+        compared: Some(compared.into()),
         efficiency: Some(1.0 / (variance * per_sample)),
         ..Ledger::of(
             "Soft edges, shadows, focus, motion, gloss and indirect light for the rays of one \

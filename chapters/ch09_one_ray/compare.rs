@@ -76,7 +76,7 @@ pub fn tree_and_paths(desk: &mut Desk) -> Result<(f64, u64), DeskError> {
     );
     let z = (a - b) / a_error.hypot(b_error);
     desk.value("apart", "their distance in standard errors", three(z.abs()));
-    Ok((z.abs(), tree.rays.total() + paths.rays.total()))
+    Ok((z, tree.rays.total() + paths.rays.total()))
 }
 
 /// One, two, four or sixteen paths for each ray from the eye, sixty-four in all: the rays.

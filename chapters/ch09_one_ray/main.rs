@@ -19,6 +19,7 @@ use halfdisk::notation::Expression;
 use halfdisk::render::{Options, Rendered, render};
 use halfdisk::scene::{Scene, gallery};
 use halfdisk::space::{Flat, Ray};
+use halfdisk::stats::z_test::Largest;
 use std::process::ExitCode;
 
 const CHAPTER: Chapter = Chapter {
@@ -33,8 +34,10 @@ fn main() -> ExitCode {
 
 fn work(desk: &mut Desk) -> Result<Ledger, DeskError> {
     figures::tree_and_path(desk)?;
+    let mut compared = Largest::default();
     let (z_room, variance, rays_room) = room(desk)?;
     let (z_tree, rays_tree) = compare::tree_and_paths(desk)?;
+    [z_room, z_tree].into_iter().for_each(|z| compared.add(z));
     let rays_split = compare::splitting(desk)?;
     let side = desk.choose(160, 48);
     let scene = gallery::load_with("cornell", |said| said.film.size = [side; 2])?;
@@ -45,7 +48,7 @@ fn work(desk: &mut Desk) -> Result<Ledger, DeskError> {
     Ok(Ledger {
         rays: rays_room + rays_tree + rays_split + rays_forty + rays_noise + rays_edge,
         variance: Some(variance),
-        bias_in_errors: Some(z_room.max(z_tree)),
+        compared: Some(compared.into()),
         efficiency: Some(1.0 / (variance * f64::from(SEGMENTS))),
         ..Ledger::of(
             "A path costs as many rays as it has segments, where a tree costs a power of them.",
@@ -102,7 +105,7 @@ fn room(desk: &mut Desk) -> Result<(f64, f64, u64), DeskError> {
             exact,
         );
     }
-    let z = found.estimate.z(truth).abs();
+    let z = found.estimate.z(truth);
     Ok((z, found.estimate.variance(), found.rays))
 }
 

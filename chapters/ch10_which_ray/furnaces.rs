@@ -9,6 +9,7 @@ use halfdisk::materials::{Choice, Mixture};
 use halfdisk::sampling::stream::Stream;
 use halfdisk::stats::Estimate;
 use halfdisk::stats::chi_square::chi_square;
+use halfdisk::stats::z_test::Largest;
 use rayon::prelude::*;
 
 /// A grey mixture.
@@ -27,7 +28,7 @@ fn room(material: Mixture, choice: Choice, segments: u32) -> MixedFurnace {
 }
 
 /// A million choices at (0.5, 0.3, 0.2), counted.
-pub fn frequencies(desk: &mut Desk) -> f64 {
+pub fn frequencies(desk: &mut Desk) -> Largest {
     let (shares, draws) = ([0.5, 0.3, 0.2], 1_000_000);
     let room = room(grey(shares), Choice::ByMean, 1);
     let seed = desk.options.seed;
@@ -38,13 +39,13 @@ pub fn frequencies(desk: &mut Desk) -> f64 {
     let chosen: Vec<Option<usize>> = (0..draws).into_par_iter().map(one).collect();
     let count = |k| chosen.iter().filter(|c| **c == Some(k)).count() as u64;
     let counts = [0, 1, 2].map(count);
-    let mut worst = 0.0_f64;
+    let mut compared = Largest::default();
     for (k, name) in KINDS.iter().enumerate() {
         let read = Estimate::from_hits(counts[k], u64::from(draws));
         // The uniforms are multiples of 2^-24: finer than that no share is met.
         let exact = f64::from(shares[k]);
         desk.estimate(name, &format!("share of {name} rays"), &read, Some(exact));
-        worst = worst.max(z(&read, exact));
+        compared.add(z(&read, exact));
     }
     for (name, says, shares) in [
         ("p_shares", "the shares", shares),
@@ -55,20 +56,20 @@ pub fn frequencies(desk: &mut Desk) -> f64 {
         let says = format!("p of the counts as {says}");
         desk.value(name, &says, (p * 1e4).round() / 1e4);
     }
-    worst
+    compared
 }
 
 /// What a sheet under a white sky reads, by each rule, and without any weight.
-pub fn readings(desk: &mut Desk) -> f64 {
+pub fn readings(desk: &mut Desk) -> Largest {
     let (seed, draws) = (desk.options.seed, desk.choose(1_000_000, 100_000));
-    let mut worst = 0.0_f64;
+    let mut compared = Largest::default();
     for (choice, name, called) in RULES {
         let room = room(grey([0.5, 0.3, 0.1]), choice, 1);
         let read: Estimate = weights(&room, draws, seed).map(|w| w[0]).collect();
         let exact = f64::from(room.material.k_tot().r);
         let says = format!("furnace: k_tot, chosen {called}");
         desk.estimate(&format!("furnace_{name}"), &says, &read, Some(exact));
-        worst = worst.max(z(&read, exact));
+        compared.add(z(&read, exact));
         if choice == Choice::ByMean {
             let lives = |i| f64::from(u8::from(room.next(1, &Stream::new(seed, i, 0)).is_some()));
             let read: Estimate = (0..draws).map(lives).collect();
@@ -76,7 +77,7 @@ pub fn readings(desk: &mut Desk) -> f64 {
             desk.value("furnace_forgotten", says, read.mean());
         }
     }
-    worst
+    compared
 }
 
 /// The weights of so many choices, channel by channel.
@@ -90,7 +91,7 @@ fn weights(room: &MixedFurnace, draws: u32, seed: u64) -> impl Iterator<Item = [
 }
 
 /// The variance of one choice, by mixture and rule, beside its closed form.
-pub fn variances(desk: &mut Desk) -> Result<f64, DeskError> {
+pub fn variances(desk: &mut Desk) -> Result<Largest, DeskError> {
     let colours = |kd: [f32; 3], ks: [f32; 3], kt: [f32; 3]| Mixture {
         kd: kd.into(),
         ks: ks.into(),
@@ -113,7 +114,7 @@ pub fn variances(desk: &mut Desk) -> Result<f64, DeskError> {
     ];
     let (seed, draws) = (desk.options.seed, desk.choose(2_500, 500));
     let mut groups = Vec::new();
-    let mut worst = 0.0_f64;
+    let mut compared = Largest::default();
     for (id, title, mixture) in mixtures {
         let mut bars = Vec::new();
         for (choice, name, called) in RULES {
@@ -136,19 +137,21 @@ pub fn variances(desk: &mut Desk) -> Result<f64, DeskError> {
             };
             desk.number(&format!("variance_{id}_{name}"), number);
             let rounding = (read.mean() - exact).abs() < 1e-9;
-            worst = worst.max(if rounding { 0.0 } else { z(&read, exact) });
+            if !rounding {
+                compared.add(z(&read, exact));
+            }
             bars.push((called, read.mean(), read.std_error()));
         }
         groups.push(figures::group(title, &bars));
     }
     figures::bars(desk, groups)?;
-    Ok(worst)
+    Ok(compared)
 }
 
 /// All light goes on with less weight, or less of it goes on with all its weight.
-pub fn two_ways_to_lose(desk: &mut Desk) -> f64 {
+pub fn two_ways_to_lose(desk: &mut Desk) -> Largest {
     let (seed, walks) = (desk.options.seed, desk.choose(400_000, 50_000));
-    let mut worst = 0.0_f64;
+    let mut compared = Largest::default();
     for (choice, name, called) in [
         (Choice::ByMean, "weight", "lose weight"),
         (Choice::Analog, "absorb", "are absorbed"),
@@ -178,9 +181,9 @@ pub fn two_ways_to_lose(desk: &mut Desk) -> f64 {
             &rays,
             None,
         );
-        worst = worst.max(z(&read, exact));
+        compared.add(z(&read, exact));
     }
-    worst
+    compared
 }
 
 /// What is left after ten bounces: with the right weight, with none, and of shares that add up to

@@ -56,10 +56,10 @@ fn work(desk: &mut Desk) -> Result<Ledger, DeskError> {
     desk.picture("choices.png", caption, &map.film, &scene)?;
 
     // How often each kind is chosen, and what a furnace reads.
-    let mut worst = furnaces::frequencies(desk);
-    worst = worst.max(furnaces::readings(desk));
-    worst = worst.max(furnaces::variances(desk)?);
-    worst = worst.max(furnaces::two_ways_to_lose(desk));
+    let mut compared = furnaces::frequencies(desk);
+    compared = compared.with(furnaces::readings(desk));
+    compared = compared.with(furnaces::variances(desk)?);
+    compared = compared.with(furnaces::two_ways_to_lose(desk));
     furnaces::growth(desk)?;
 
     // ANCHOR: slab
@@ -87,7 +87,7 @@ fn work(desk: &mut Desk) -> Result<Ledger, DeskError> {
     ] {
         let says = format!("glass slab: share of light that comes {name}");
         desk.estimate(&format!("slab_{name}"), &says, &read, Some(exact));
-        worst = worst.max(z(&read, exact));
+        compared.add(z(&read, exact));
     }
     let per_path: Estimate = found.iter().map(|(_, rays)| *rays as f64).collect();
     let says = "glass slab: rays of a path";
@@ -120,7 +120,7 @@ fn work(desk: &mut Desk) -> Result<Ledger, DeskError> {
     Ok(Ledger {
         rays: spent,
         variance: Some(bargain[0]),
-        bias_in_errors: Some(worst),
+        compared: Some(compared.into()),
         efficiency: Some(1.0 / (bargain[0] * bargain[1])),
         ..Ledger::of(
             "One ray instead of three, for a weight k/p and the variance of a choice; for grey \

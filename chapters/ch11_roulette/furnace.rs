@@ -6,6 +6,7 @@ use halfdisk::integrators::{Kajiya, Roulette, Survival};
 use halfdisk::sampling::stream::Stream;
 use halfdisk::space::Flat;
 use halfdisk::stats::Estimate;
+use halfdisk::stats::z_test::Largest;
 use rayon::prelude::*;
 
 /// The albedo of this chapter's furnace.
@@ -57,8 +58,8 @@ pub fn cuts(desk: &mut Desk) {
 pub struct Played {
     /// Rays traced.
     pub rays: u64,
-    /// The largest |z| of a mean that has a variance.
-    pub worst: f64,
+    /// How far the means that have a variance are from their truths.
+    pub compared: Largest,
     /// Chance to survive, variance times rays over the squared mean, its error; where it has one.
     pub prices: Vec<(f64, f64, f64)>,
 }
@@ -83,7 +84,7 @@ pub fn survivals(desk: &mut Desk) -> Played {
             (percent, found, rays)
         })
         .collect();
-    let mut worst = 0.0_f64;
+    let mut compared = Largest::default();
     let mut prices = Vec::new();
     for (percent, [mean, square, common], rays) in &played {
         let game = game(*percent);
@@ -128,12 +129,12 @@ pub fn survivals(desk: &mut Desk) -> Played {
                 &says("variance times segments"),
                 game.price(),
             );
-            worst = worst.max(mean.z(game.mean()).abs());
+            compared.add(mean.z(game.mean()));
         }
     }
     Played {
         rays: played.iter().map(|p| p.2).sum(),
-        worst,
+        compared,
         prices,
     }
 }

@@ -55,7 +55,7 @@ fn work(desk: &mut Desk) -> Result<Ledger, DeskError> {
     Ok(Ledger {
         rays: rays + picture.rays,
         variance: Some(game.variance()),
-        bias_in_errors: Some(played.worst),
+        compared: Some(played.compared.into()),
         efficiency: Some(1.0 / game.price()),
         ..Ledger::of(&format!(
             "No light is lost, whatever the depth. In the box, survival by what a path carries buys \

@@ -13,7 +13,7 @@ use halfdisk::scene::description::{Color, Exactly};
 use halfdisk::scene::{Scene, gallery};
 use halfdisk::space::{Flat, Ray};
 use halfdisk::stats::slope::Line;
-use halfdisk::stats::z_test::{FOUR, z_test};
+use halfdisk::stats::z_test::{FOUR, Largest, z_test};
 
 /// Half-angles of the lamp, in radians: the last three decide the slope.
 const ANGLES: [f64; 7] = [1.4, 1.0, 0.3, 0.1, 0.03, 0.01, 0.003];
@@ -25,10 +25,10 @@ const TECHNIQUES: [(Technique, &str, &str); 3] = [
     (Technique::Aim, "aim", "aimed at"),
 ];
 
-/// The variance of each technique against the lamp, in both worlds: the largest distance of a mean
-/// from its truth in standard errors, and the rays.
-pub fn sweep(desk: &mut Desk, finds: f64) -> Result<(f64, u64), DeskError> {
-    let (mut worst, mut rays) = (0.0_f64, 0);
+/// The variance of each technique against the lamp, in both worlds: how far the means are from their
+/// truths, and the rays.
+pub fn sweep(desk: &mut Desk, finds: f64) -> Result<(Largest, u64), DeskError> {
+    let (mut compared, mut rays) = (Largest::default(), 0);
     let mut curves = Vec::new();
     for (place, (technique, name, label)) in TECHNIQUES.into_iter().enumerate() {
         let mut points = Vec::new();
@@ -36,7 +36,7 @@ pub fn sweep(desk: &mut Desk, finds: f64) -> Result<(f64, u64), DeskError> {
             let (count, seed) = ((finds / technique.finds_flat(a)) as u32, desk.options.seed);
             let found = shrinking_lamp::flat(technique, a, count, seed)?;
             let truth = libm::sin(a);
-            worst = worst.max(z_test(&found.estimate, truth, FOUR).z.abs());
+            compared.add(z_test(&found.estimate, truth, FOUR).z);
             rays += found.rays;
             let (value, error) = found.relative_variance(truth);
             points.push((a, value, error));
@@ -76,7 +76,7 @@ pub fn sweep(desk: &mut Desk, finds: f64) -> Result<(f64, u64), DeskError> {
         for (technique, name, label) in TECHNIQUES {
             let found = shrinking_lamp::solid(technique, a, finds as u32 * 4, desk.options.seed)?;
             let truth = libm::sin(a) * libm::sin(a);
-            worst = worst.max(z_test(&found.estimate, truth, FOUR).z.abs());
+            compared.add(z_test(&found.estimate, truth, FOUR).z);
             rays += found.rays;
             let (value, error) = found.relative_variance(truth);
             let says = format!("in space, half-angle {a}, {label}");
@@ -86,7 +86,7 @@ pub fn sweep(desk: &mut Desk, finds: f64) -> Result<(f64, u64), DeskError> {
             desk.number(&key, Number { error, ..number });
         }
     }
-    Ok((worst, rays))
+    Ok((compared, rays))
 }
 
 /// The slope through the smallest lamps, beside that of the closed form through the same ones.

@@ -10,7 +10,7 @@ use halfdisk::notation::{Expression, ExpressionError};
 use halfdisk::sampling::discrete::Discrete;
 use halfdisk::scene::read::Source;
 use halfdisk::scene::{Scene, SceneError, gallery};
-use halfdisk::stats::z_test::{FOUR, z_test};
+use halfdisk::stats::z_test::{FOUR, Largest, z_test};
 use std::f64::consts::PI;
 use std::fmt::Write;
 
@@ -36,7 +36,7 @@ fn scene(text: &str) -> Result<Scene, SceneError> {
 }
 
 /// All lamps, or one of them: the largest |z| and the rays.
-pub fn many(desk: &mut Desk, count: u32) -> Result<(f64, u64), DeskError> {
+pub fn many(desk: &mut Desk, count: u32) -> Result<(Largest, u64), DeskError> {
     let mut text = "name = 'row'\ncamera = { from = [0, 0.3, -1], to = [0, 0, 0], fov = 40 }\n\
                     materials.grey.lambert.albedo = 0.5\n[[objects]]\nmaterial = 'grey'\n\
                     quad = { corner = [-9, 0, 9], u = [18, 0, 0], v = [0, 0, -18] }\n"
@@ -57,10 +57,10 @@ pub fn many(desk: &mut Desk, count: u32) -> Result<(f64, u64), DeskError> {
     let truth: f64 = gives.iter().sum();
     let ray = scene.camera.ray(0.5, 0.5);
     let seed = desk.options.seed;
-    let mut worst = Worst::default();
+    let mut seen = Seen::default();
     let all = NextEvent { max_depth: 2 };
     let found = walks::solid(&scene, &ray, &all, truth, count, seed);
-    worst.record(desk, "all", "eight lamps, all of them", &found, truth);
+    seen.record(desk, "all", "eight lamps, all of them", &found, truth);
     for (name, says, weights) in [
         ("uniform", "each alike", vec![1.0; LAMPS.len()]),
         ("power", "by power", LAMPS.to_vec()),
@@ -74,19 +74,19 @@ pub fn many(desk: &mut Desk, count: u32) -> Result<(f64, u64), DeskError> {
         };
         let found = walks::solid(&scene, &ray, &one, truth, count, seed);
         let says = format!("eight lamps, one of them, {says}");
-        worst.record(desk, name, &says, &found, truth);
+        seen.record(desk, name, &says, &found, truth);
     }
-    Ok((worst.z, worst.rays))
+    Ok((seen.compared, seen.rays))
 }
 
-/// The worst of some estimates, and the rays of all.
+/// How far some estimates are from their truths, and the rays of all.
 #[derive(Default)]
-struct Worst {
-    z: f64,
+struct Seen {
+    compared: Largest,
     rays: u64,
 }
 
-impl Worst {
+impl Seen {
     fn record(&mut self, desk: &mut Desk, name: &str, says: &str, found: &Walks, truth: f64) {
         desk.estimate(&format!("lamps_{name}"), says, &found.estimate, Some(truth));
         let (value, error) = found.relative_variance(truth);
@@ -101,14 +101,14 @@ impl Worst {
             "  its rays",
             found.rays_each(),
         );
-        self.z = self.z.max(z_test(&found.estimate, truth, FOUR).z.abs());
+        self.compared.add(z_test(&found.estimate, truth, FOUR).z);
         self.rays += found.rays;
     }
 }
 
 // ANCHOR: mirror
-/// A lamp and its image in a mirror: what walks find of each. The largest |z| and the rays.
-pub fn mirror(desk: &mut Desk, count: u32) -> Result<(f64, u64), DeskError> {
+/// A lamp and its image in a mirror: what walks find of each, compared with the truth, and the rays.
+pub fn mirror(desk: &mut Desk, count: u32) -> Result<(Largest, u64), DeskError> {
     // Seen from the floor, the lamp and its image, as if it were a second lamp.
     let (lamp, image) = ([0.0, 1.5], [2.0, 1.5]);
     let text = include_str!("mirror.toml");
@@ -127,7 +127,7 @@ pub fn mirror(desk: &mut Desk, count: u32) -> Result<(f64, u64), DeskError> {
     desk.value("mirror_image", "from its image", mirrored);
     let (seed, aim) = (desk.options.seed, NextEvent { max_depth: 3 });
     let chance = Kajiya { max_depth: 3 };
-    let (mut worst, mut rays) = (0.0_f64, 0);
+    let (mut compared, mut rays) = (Largest::default(), 0);
     let both = direct + mirrored;
     let ray = scene_point.camera.ray(0.5, 0.5);
     for (name, says, found, truth) in [
@@ -156,14 +156,14 @@ pub fn mirror(desk: &mut Desk, count: u32) -> Result<(f64, u64), DeskError> {
             &found.estimate,
             Some(truth),
         );
-        worst = worst.max(z_test(&found.estimate, truth, FOUR).z.abs());
+        compared.add(z_test(&found.estimate, truth, FOUR).z);
         rays += found.rays;
     }
     let missing = missing_words().map_err(|e| DeskError::Missing(e.to_string()))?;
     desk.say(&format!(
         "paths of a point lamp that no walk finds: {missing}"
     ));
-    Ok((worst, rays))
+    Ok((compared, rays))
 }
 
 /// What aiming at lamps without extent leaves out, the shortest words first.

@@ -26,7 +26,7 @@ fn main() -> ExitCode {
 fn work(desk: &mut Desk) -> Result<Ledger, DeskError> {
     // One lamp that shrinks over one surface: by chance until so many walks have found it.
     let finds = desk.choose(25_000.0, 4_000.0);
-    let (z_sweep, rays_sweep) = figures::sweep(desk, finds)?;
+    let (of_sweep, rays_sweep) = figures::sweep(desk, finds)?;
 
     // What aiming is, in the plane and in the box.
     figures::shadow_rays(desk)?;
@@ -37,10 +37,10 @@ fn work(desk: &mut Desk) -> Result<Ledger, DeskError> {
 
     // Eight lamps: ask all of them, or one.
     let count = desk.choose(1_000_000, 100_000);
-    let (z_lamps, rays_lamps) = lamps::many(desk, count)?;
+    let (of_lamps, rays_lamps) = lamps::many(desk, count)?;
 
     // What cannot be aimed at.
-    let (z_mirror, rays_mirror) = lamps::mirror(desk, count)?;
+    let (of_mirror, rays_mirror) = lamps::mirror(desk, count)?;
 
     // The bargain at a lamp a tenth of a radian wide to each side.
     let [chance, aim] = [Technique::Cosine, Technique::Aim]
@@ -53,7 +53,7 @@ fn work(desk: &mut Desk) -> Result<Ledger, DeskError> {
     Ok(Ledger {
         rays: rays_sweep + rays_boxes + rays_twice + rays_lamps + rays_mirror,
         variance: Some(aim.squares.mean()),
-        bias_in_errors: Some(z_sweep.max(z_lamps).max(z_mirror)),
+        compared: Some(of_sweep.with(of_lamps).with(of_mirror).into()),
         efficiency: Some(1.0 / price(&aim)),
         ..Ledger::of(
             "One more ray for each lamp and surface; the smaller the lamp, the more it saves.",

@@ -33,15 +33,14 @@ fn work(desk: &mut Desk) -> Result<Ledger, DeskError> {
     let drawn = plates::work(desk)?;
 
     // Where every wall is a lamp, everyone must read the same.
-    let (rays, z) = readings::furnace(desk)?;
+    let (rays, in_furnace) = readings::furnace(desk)?;
     readings::mistakes(desk)?;
 
-    let worst = sweep.worst.max(z);
     let (variance, premium) = (sweep.at_one, sweep.premium);
     Ok(Ledger {
         rays: sweep.rays + drawn + rays,
         variance: Some(variance),
-        bias_in_errors: Some(worst),
+        compared: Some(sweep.compared.with(in_furnace).into()),
         // A ray from the eye, one to the lamp, one by chance.
         efficiency: Some(1.0 / (3.0 * variance)),
         ..Ledger::of(&format!(

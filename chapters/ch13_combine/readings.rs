@@ -13,13 +13,14 @@ use halfdisk::sampling::stream::Stream;
 use halfdisk::scene::description::Color;
 use halfdisk::scene::{Tracer, gallery};
 use halfdisk::stats::Estimate;
-use halfdisk::stats::z_test::{FOUR, z_test};
+use halfdisk::stats::z_test::{FOUR, Largest, z_test};
 
-/// What each walk reads in a closed room whose walls glow: the rays, and the largest |z|.
-pub fn furnace(desk: &mut Desk) -> Result<(u64, f64), DeskError> {
+/// What each walk reads in a closed room whose walls glow: the rays, and how far
+/// they are from the truth.
+pub fn furnace(desk: &mut Desk) -> Result<(u64, Largest), DeskError> {
     let walks = desk.choose(8_000, 2_000);
     let mut rays = 0;
-    let mut worst = 0.0_f64;
+    let mut compared = Largest::default();
     for (percent, max_depth) in [(50, 24), (75, 48)] {
         let albedo = f64::from(percent) / 100.0;
         let scene = gallery::load_with("furnace", |said| {
@@ -65,10 +66,10 @@ pub fn furnace(desk: &mut Desk) -> Result<(u64, f64), DeskError> {
                 &says,
                 estimate.variance(),
             );
-            worst = worst.max(z_test(&estimate, exact, FOUR).z.abs());
+            compared.add(z_test(&estimate, exact, FOUR).z);
         }
     }
-    Ok((rays, worst))
+    Ok((rays, compared))
 }
 
 /// What combined walks read that are misled, under a lamp in two parts.

@@ -6,6 +6,7 @@ use halfdisk::integrators::walkable::FlatWalk;
 use halfdisk::sampling::mis::Heuristic;
 use halfdisk::sampling::stream::{Purpose, Stream};
 use halfdisk::stats::Estimate;
+use halfdisk::stats::z_test::Largest;
 use rayon::prelude::*;
 
 /// Half the angles at which the lamp is seen, in hundredths of a radian.
@@ -36,13 +37,13 @@ pub struct Sweep {
     pub sizes: Vec<Size>,
     /// Rays traced.
     pub rays: u64,
-    /// The largest |z| of a mean.
-    pub worst: f64,
+    /// How far the means are from their truths.
+    pub compared: Largest,
     /// Variance by the balance heuristic under the lamp of half angle 1.1.
     pub at_one: f64,
-    /// How far the balance heuristic lies above the better technique at worst, in squared means.
+    /// How far the balance heuristic lies above the better technique at compared, in squared means.
     pub premium: f64,
-    /// How far the worse technique lies above the better one at worst, in squared means.
+    /// How far the worse technique lies above the better one at compared, in squared means.
     pub stake: f64,
 }
 
@@ -55,7 +56,7 @@ pub fn work(desk: &mut Desk) -> Result<Sweep, DeskError> {
         .collect::<Result<_, DeskError>>()?;
     let mut sweep = Sweep {
         rays: sizes.iter().map(|s| s.rays).sum(),
-        worst: 0.0,
+        compared: Largest::default(),
         at_one: 0.0,
         premium: 0.0,
         stake: 0.0,
@@ -73,7 +74,7 @@ pub fn work(desk: &mut Desk) -> Result<Sweep, DeskError> {
             let says = format!("half angle {}: variance, {name}", lamp.half_angle);
             let number = format!("variance_{name}_{hundredths}");
             desk.estimate(&number, &says, &squares[i], Some(lamp.variance(technique)));
-            sweep.worst = sweep.worst.max(means[i].z(lamp.mean()).abs());
+            sweep.compared.add(means[i].z(lamp.mean()));
         }
         let [chance, aiming, balance, _] = WAYS.map(|(_, t)| lamp.variance(t));
         let best = chance.min(aiming);
@@ -86,7 +87,7 @@ pub fn work(desk: &mut Desk) -> Result<Sweep, DeskError> {
         }
     }
     let says = "largest |z| of the means of all techniques and sizes";
-    desk.value("largest_z", says, to(100.0, sweep.worst));
+    desk.value("largest_z", says, to(100.0, sweep.compared.z));
     let says = "balance heuristic above the better technique, squared means";
     desk.number("premium", Number::new(says, to(1000.0, sweep.premium)));
     let says = "worse technique above the better one, squared means";

@@ -44,7 +44,7 @@ fn work(desk: &mut Desk) -> Result<Ledger, DeskError> {
     Ok(Ledger {
         rays,
         variance: Some(variance),
-        bias_in_errors: Some(prices.worst_bias),
+        compared: Some(prices.biases.into()),
         efficiency: Some(1.0 / (variance * per_sample)),
         ..Ledger::of(
             "The price list: half the error costs four times the rays, whoever makes the picture; who \

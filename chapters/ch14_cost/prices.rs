@@ -10,6 +10,7 @@ use halfdisk::experiment::cost::{
 use halfdisk::render::{Film, Pixel};
 use halfdisk::scene::{Scene, gallery};
 use halfdisk::stats::slope::{Fit, Insufficient};
+use halfdisk::stats::z_test::Largest;
 
 /// What the price list leaves for the rest of the chapter.
 pub struct Prices {
@@ -23,19 +24,20 @@ pub struct Prices {
     pub variance: f64,
     /// Rays of a sample of `path`.
     pub rays_per_sample: f64,
-    /// The largest bias of a method that should have none, in standard errors.
-    pub worst_bias: f64,
+    /// The biases of methods that should have none, by their standard errors.
+    pub biases: Largest,
 }
 
 /// Measures and records all prices.
 pub fn work(desk: &mut Desk) -> Result<Prices, DeskError> {
-    let side = desk.choose(36, 16);
+    // In smaller pictures the edge of the lamp, in few large pixels, would decide all.
+    let side = desk.choose(48, 32);
     let scene = gallery::load_with("cornell", |said| said.film.size = [side; 2])?;
     // ANCHOR: measure
     let design = Design {
         replicates: desk.choose(10, 6),
         sizes: 3,
-        budget: Budget::Rays(desk.choose(150_000, 30_000)),
+        budget: Budget::Rays(desk.choose(210_000, 100_000)),
         reference: 16,
         threads: None,
         seed: desk.options.seed,
@@ -50,13 +52,12 @@ pub fn work(desk: &mut Desk) -> Result<Prices, DeskError> {
         return Err(DeskError::Interrupted);
     }
     let list = PriceList::new(&scene, &measured);
-    let mut worst_bias = 0.0_f64;
+    let mut biases = Largest::default();
     for method in &list.methods {
         numbers(desk, &list, method);
         if let Some(bias) = method.bias.filter(|_| method.may_be_biased.is_none()) {
-            worst_bias = worst_bias
-                .max(bias.square / bias.error)
-                .max(bias.mean.abs() / bias.mean_error);
+            biases.add(bias.square / bias.error);
+            biases.add(bias.mean / bias.mean_error);
         }
     }
     let caption =
@@ -85,7 +86,7 @@ pub fn work(desk: &mut Desk) -> Result<Prices, DeskError> {
         measured,
         variance,
         rays_per_sample,
-        worst_bias: digits(worst_bias),
+        biases,
     })
 }
 
@@ -109,9 +110,12 @@ fn numbers(desk: &mut Desk, list: &PriceList, method: &Priced) {
         };
         desk.number(&format!("slope_{key}"), number);
     }
-    if let (Verdict::Biased, Some(bias)) = (method.verdict, method.bias) {
+    if let Some(floor) = method.levels_out {
         let says = format!("{name}: levels out at an error of, %");
-        desk.value(&format!("floor_{key}"), &says, digits(100.0 * bias.floor()));
+        let number = |end: &str| format!("floor_{end}{key}");
+        desk.value(&number(""), &says, digits(100.0 * floor.error));
+        desk.value(&number("low_"), "  at least", digits(100.0 * floor.low));
+        desk.value(&number("high_"), "  at most", digits(100.0 * floor.high));
     }
     let rays = method.rays_per_sample;
     let says = format!("{name}: rays of a sample");

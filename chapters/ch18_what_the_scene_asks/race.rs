@@ -4,6 +4,7 @@ use crate::savings::two_digits;
 use crate::{FINAL, load};
 use halfdisk::chart::{Axis, Curve, CurveChart, Style};
 use halfdisk::desk::{Desk, DeskError, Number};
+use halfdisk::experiment::cost::Reference;
 use halfdisk::integrators::{Named, Path};
 use halfdisk::render::{Options, render};
 use halfdisk::sampling::stream::Sampler;
@@ -32,7 +33,7 @@ struct Entry {
 /// Lets them run.
 pub fn work(desk: &mut Desk) -> Result<Race, DeskError> {
     let scene = load(FINAL, desk.choose([32; 2], [12; 2]))?;
-    let (truth, mut rays) = Truth::new(desk, &scene)?;
+    let (truth, mut rays) = reference(desk, &scene)?;
     let sizes = desk.choose(4, 2);
     let mut entries = vec![[Entry::default(); SIZES.len()]; Named::ALL.len()];
     // In turns, so that what else the machine does is shared fairly.
@@ -51,8 +52,8 @@ pub fn work(desk: &mut Desk) -> Result<Race, DeskError> {
                 }
                 let entry = &mut entries[place][size];
                 let pixels = f64::from(scene.size[0]) * f64::from(scene.size[1]);
-                let values = rendered.film.picture().values.into_flattened();
-                entry.square.add(truth.square(&values));
+                let squares: Estimate = truth.squares(&rendered.film).into_iter().collect();
+                entry.square.add(squares.mean());
                 entry.rays.add(rendered.rays.total() as f64 / pixels);
                 entry.seconds.add(rendered.time.as_secs_f64());
                 rays += rendered.rays.total();
@@ -137,41 +138,26 @@ fn root(square: &Estimate) -> [f64; 2] {
     ]
 }
 
-/// Two pictures of many samples, whose noise is independent.
-struct Truth([Vec<f64>; 2]);
-
-impl Truth {
-    fn new(desk: &Desk, scene: &Scene) -> Result<(Truth, u64), DeskError> {
-        let mut rays = 0;
-        let mut half = |seed| {
-            let options = Options {
-                spp: desk.choose(1024, 256),
-                seed,
-                sampler: Sampler::Sobol,
-                ..Options::default()
-            };
-            let path = Path::new(scene.suggested.max_depth);
-            let rendered = render(scene, &path, &options, &desk.bar("truth"));
-            rays += rendered.rays.total();
-            if rendered.interrupted {
-                return Err(DeskError::Interrupted);
-            }
-            Ok(rendered.film.picture().values.into_flattened())
+/// Two pictures of many samples, whose noise is independent, and the rays they took.
+fn reference(desk: &Desk, scene: &Scene) -> Result<(Reference, u64), DeskError> {
+    let mut rays = 0;
+    let spp = desk.choose(1024, 256);
+    let mut half = |seed| {
+        let options = Options {
+            spp,
+            seed,
+            sampler: Sampler::Sobol,
+            ..Options::default()
         };
-        let seed = desk.options.seed;
-        let halves = [half(seed + 101)?, half(seed + 102)?];
-        Ok((Truth(halves), rays))
-    }
-
-    /// The mean squared relative difference: by the product of the differences from both halves, in
-    /// which their own noise averages out.
-    fn square(&self, values: &[f64]) -> f64 {
-        let Truth([a, b]) = self;
-        let one = |((x, a), b): ((&f64, &f64), &f64)| {
-            let mean = 0.5 * (a + b);
-            (x - a) * (x - b) / (mean * mean + 0.01)
-        };
-        let squares: Estimate = values.iter().zip(a).zip(b).map(one).collect();
-        squares.mean()
-    }
+        let path = Path::new(scene.suggested.max_depth);
+        let rendered = render(scene, &path, &options, &desk.bar("truth"));
+        rays += rendered.rays.total();
+        if rendered.interrupted {
+            return Err(DeskError::Interrupted);
+        }
+        Ok(rendered.film)
+    };
+    let seed = desk.options.seed;
+    let [a, b] = [half(seed + 101)?, half(seed + 102)?];
+    Ok((Reference::new(&a, &b, spp), rays))
 }

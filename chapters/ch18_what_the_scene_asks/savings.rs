@@ -16,7 +16,7 @@ const SCENES: [&str; 6] = ["cornell", FINAL, "caustic", "gloss", "veach", "mesh"
 pub fn worth(desk: &mut Desk) -> Result<u64, DeskError> {
     let side = desk.choose(40, 24);
     let scene = load(FINAL, [side; 2])?;
-    let (spp, rounds) = desk.choose((8, 10), (2, 4));
+    let (spp, rounds) = desk.choose((8, 10), (8, 6));
     let with = Setup {
         scene: scene.clone(),
         wanted: None,

@@ -33,8 +33,8 @@ fn variance_curves(run: &Convergence) -> Vec<Curve> {
     let measured: Vec<(f64, f64)> = run
         .sizes
         .iter()
-        .filter(|size| size.variance > 0.0)
-        .map(|size| (f64::from(size.samples), size.variance))
+        .filter_map(|size| Some((f64::from(size.samples), size.variance?)))
+        .filter(|(_, variance)| *variance > 0.0)
         .collect();
     let (Some(line), Some(first), Some(last)) =
         (Line::through(&measured), measured.first(), measured.last())

@@ -1,7 +1,7 @@
 //! What accuracy costs, as a chart.
 
 use super::{Axis, Curve, CurveChart, Point, Style};
-use crate::experiment::cost::{PriceList, Priced, Size, Verdict};
+use crate::experiment::cost::{PriceList, Priced, Size};
 use crate::stats::slope::{Fit, Insufficient};
 
 /// What error is drawn against.
@@ -63,9 +63,8 @@ fn curves(method: &Priced, against: Against) -> Vec<Curve> {
         Against::Rays => &method.against_rays,
         Against::Seconds => &method.against_seconds,
     };
-    if method.verdict == Verdict::Biased {
-        let floor = 100.0 * method.bias.map_or(0.0, |bias| bias.floor());
-        let name = format!("{}: levels out at {floor:.1} %", method.name);
+    if let Some(floor) = method.levels_out {
+        let name = format!("{}: levels out {floor}", method.name);
         return vec![marks(name, Style::MarksAndLine)];
     }
     match fit {

@@ -1,8 +1,9 @@
 //! `halfdisk classify`.
 
 use super::{Stop, answer};
-use crate::desk::{Bar, on_ctrl_c};
+use crate::desk::{Bar, on_ctrl_c, whole};
 use crate::effects::language::{self, Class, Finds, finds};
+use crate::effects::plan::count;
 use crate::effects::words::{Words, words};
 use crate::integrators::{Integrator, Named, Path, Restricted};
 use crate::notation::Word;
@@ -25,16 +26,16 @@ pub struct Classify {
     /// A scene of the gallery (see `halfdisk scenes`), or a path to a .toml file
     scene: String,
     /// Samples per pixel
-    #[arg(long, default_value_t = 32, value_parser = clap::value_parser!(u32).range(4..=65_536))]
+    #[arg(long, default_value_t = 32, allow_negative_numbers = true, value_parser = whole(4_u32..=65_536))]
     spp: u32,
     /// Image size in pixels, such as 320x240 [default: the scene's, at most 256 pixels high]
     #[arg(long, value_name = "WxH", value_parser = super::render::size)]
     size: Option<[u32; 2]>,
     /// Words to print
-    #[arg(long, default_value_t = 12)]
+    #[arg(long, default_value_t = 12, allow_negative_numbers = true, value_parser = whole(0..=usize::MAX))]
     words: usize,
     /// Seed of all random numbers
-    #[arg(long, default_value_t = 0)]
+    #[arg(long, default_value_t = 0, allow_negative_numbers = true, value_parser = whole(0..=u64::MAX))]
     seed: u64,
     /// Folder for the pictures
     #[arg(long, value_name = "DIR")]
@@ -183,7 +184,7 @@ fn describe_words(words: &Words, shown: usize) -> String {
     }
     if let Some(rest) = by_share.get(shown..).filter(|rest| !rest.is_empty()) {
         let light: f64 = rest.iter().map(|(_, share)| share.light.mean()).sum();
-        let label = format!("{} others", rest.len());
+        let label = count(rest.len(), "other", "others");
         text += &format!("{label:<12} {:>7.3} %\n", 100.0 * light / total);
     }
     text

@@ -2,7 +2,8 @@
 
 use super::{Stop, answer, use_threads};
 use crate::chart::{ChartError, convergence_chart};
-use crate::desk::{Bar, on_ctrl_c};
+use crate::desk::{Bar, on_ctrl_c, whole};
+use crate::effects::plan::count;
 use crate::experiment::convergence::{Convergence, Design, Estimator, converge_watched};
 use crate::experiment::named;
 use clap::Args;
@@ -25,17 +26,17 @@ pub struct Converge {
     list: bool,
     /// Independent runs at each size: more of them make the slope surer
     #[arg(long, default_value_t = Design::default().replicates,
-        value_parser = clap::value_parser!(u32).range(1..=1 << 20))]
+        allow_negative_numbers = true, value_parser = whole(1_u32..=1 << 20))]
     replicates: u32,
     /// Sizes, each twice the one before: 16, 32, 64 ... samples
     #[arg(long, default_value_t = Design::default().doublings,
-        value_parser = clap::value_parser!(u32).range(1..=24))]
+        allow_negative_numbers = true, value_parser = whole(1_u32..=24))]
     doublings: u32,
     /// Seed of all random numbers: the same seed gives the same bytes
-    #[arg(long, default_value_t = Design::default().seed)]
+    #[arg(long, default_value_t = Design::default().seed, allow_negative_numbers = true, value_parser = whole(0..=u64::MAX))]
     seed: u64,
     /// Threads to run on; changes no result [default: one for each core]
-    #[arg(long, value_parser = clap::value_parser!(u16).range(1..=1024))]
+    #[arg(long, allow_negative_numbers = true, value_parser = whole(1_u16..=1024))]
     threads: Option<u16>,
     /// Folder for the chart (.svg) and the numbers (.csv, .json)
     #[arg(long, value_name = "DIR", default_value = "out/converge")]
@@ -100,9 +101,10 @@ impl Converge {
         let path = self.out.join(stem(runs));
         let failure = |path: &std::path::Path, e| Stop::Failure(format!("{}: {e}", path.display()));
         std::fs::create_dir_all(&self.out).map_err(|e| failure(&self.out, e))?;
+        let runs_each = count(self.replicates as usize, "run", "runs");
         let title = match runs {
-            [run] => format!("Error of {}, {} runs each", run.name, run.replicates),
-            _ => format!("Error against samples, {} runs each", self.replicates),
+            [run] => format!("Error of {}, {runs_each} each", run.name),
+            _ => format!("Error against samples, {runs_each} each"),
         };
         let chart = convergence_chart(title, runs);
         let mut files = vec![("csv", csv(runs)), ("json", json.to_owned())];
@@ -184,15 +186,19 @@ fn table(runs: &[Convergence]) -> String {
         let _ = writeln!(text, "{}, exact {}", run.name, run.truth);
         let _ = writeln!(text, "{:>10}   error ± its error         variance", "N");
         for s in &run.sizes {
-            // One run alone does not know its error.
+            // One run alone knows neither its error nor its variance.
             let own = match s.rmse_error {
                 own if own.is_finite() => format!("{own:.1e}"),
                 _ => "unknown".to_owned(),
             };
+            let variance = match s.variance {
+                Some(variance) => format!("{variance:.3e}"),
+                None => "unknown".to_owned(),
+            };
             let _ = writeln!(
                 text,
-                "{:>10}   {:.3e} ± {own:<10}   {:.3e}",
-                s.samples, s.rmse, s.variance
+                "{:>10}   {:.3e} ± {own:<10}   {variance}",
+                s.samples, s.rmse
             );
         }
         let _ = writeln!(text, "{}\n", run.slope_text());

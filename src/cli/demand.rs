@@ -3,7 +3,7 @@
 use super::Stop;
 use crate::effects::language::{self, Wanted};
 use crate::effects::measure::{Difference, Setup, difference};
-use crate::effects::plan::{demand, never_a_path};
+use crate::effects::plan::{demand, never_a_path, reason};
 use crate::effects::without::Without;
 use crate::notation::Expression;
 use crate::scene::description::Description;
@@ -11,16 +11,19 @@ use crate::scene::{Effect, Scene, gallery};
 use clap::Args;
 use serde_json::json;
 
+/// Where help lists these options: named by each, as a heading for what comes next would go on to the
+/// options of the command.
+const HEADING: &str = "Which light";
+
 /// What is wanted of a scene's light.
 #[derive(Clone, Debug, Args)]
-#[command(next_help_heading = "Which light")]
 pub(super) struct Demand {
     /// Only the light of these paths: an expression over L light, D diffuse, S mirror or glass,
     /// G gloss, E eye, such as 'LS+DE'; with groups, |, *, +, ?, {2,3} and [DS]
-    #[arg(long, value_name = "EXPR", value_parser = Expression::parse)]
+    #[arg(long, help_heading = HEADING, value_name = "EXPR", value_parser = Expression::parse)]
     pub paths: Option<Expression>,
     /// Leave an effect out on purpose; the picture is then wrong, and the report says by how much
-    #[arg(long, value_name = "EFFECT", value_delimiter = ',', value_parser = effect)]
+    #[arg(long, help_heading = HEADING, value_name = "EFFECT", value_delimiter = ',', value_parser = effect)]
     pub without: Vec<Effect>,
 }
 
@@ -52,6 +55,7 @@ impl Demand {
         name: &str,
         change: impl FnOnce(&mut Description),
     ) -> Result<Setup, Stop> {
+        self.check_effects(name)?;
         let setup = self.load_anything(name, change)?;
         if let Some(wanted) = &setup.wanted {
             self.check(&setup.scene, wanted)?;
@@ -72,6 +76,24 @@ impl Demand {
         })?;
         let wanted = without.restrict(self.paths.as_ref());
         Ok(Setup { scene, wanted })
+    }
+
+    /// What is not there cannot be left out.
+    fn check_effects(&self, name: &str) -> Result<(), Stop> {
+        if self.without.is_empty() {
+            return Ok(());
+        }
+        let scene = gallery::load(name)?;
+        let effects = scene.inventory.effects();
+        match self.without.iter().find(|effect| !effects.has(**effect)) {
+            None => Ok(()),
+            Some(effect) => Err(Stop::Input(format!(
+                "--without {}: {} has no such effect to leave out: {}",
+                effect.name(),
+                scene.name,
+                reason(*effect, &scene.inventory)
+            ))),
+        }
     }
 
     fn check(&self, scene: &Scene, wanted: &Wanted) -> Result<(), Stop> {
@@ -103,7 +125,7 @@ impl Demand {
             scene: gallery::load_with(name, small)?,
             wanted: None,
         };
-        let without = self.load(name, small)?;
+        let without = self.load_anything(name, small)?;
         Ok(difference(&with, &without, spp.min(16), 4))
     }
 }
@@ -117,13 +139,19 @@ pub(super) fn measured_size([width, height]: [u32; 2]) -> [u32; 2] {
 
 /// A bias for people.
 pub(super) fn bias_line(difference: &Difference) -> String {
+    let [share, error] = [difference.share, difference.share_error].map(|x| 100.0 * x);
+    let light = if share < 0.0 {
+        format!(
+            "it is {:.2} ± {error:.2} % brighter than it should be",
+            -share
+        )
+    } else {
+        format!("{share:.2} ± {error:.2} % of the light is missing")
+    };
     format!(
-        "left out on purpose, so the picture is biased: {:.2} ± {:.2} % of the light is missing; \
-         relative squared error {:.1e} ± {:.0e}\n",
-        100.0 * difference.share,
-        100.0 * difference.share_error,
-        difference.rel_mse,
-        difference.rel_mse_error
+        "left out on purpose, so the picture is biased: {light}; relative squared error {:.1e} ± \
+         {:.0e}\n",
+        difference.rel_mse, difference.rel_mse_error
     )
 }
 
@@ -133,4 +161,35 @@ pub(super) fn bias_json(difference: &Difference) -> serde_json::Value {
         "missing": { "value": difference.share, "error": difference.share_error },
         "rel_mse": { "value": difference.rel_mse, "error": difference.rel_mse_error },
     })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::stats::Estimate;
+
+    #[test]
+    fn a_picture_that_is_too_bright_misses_no_light() {
+        let line = |share| {
+            bias_line(&Difference {
+                log_time: Estimate::new(),
+                rays: 1.0,
+                traced: 1,
+                share,
+                share_error: 0.0006,
+                rel_mse: 0.01,
+                rel_mse_error: 0.001,
+            })
+        };
+        let dark = line(0.0038);
+        assert!(
+            dark.contains("biased: 0.38 ± 0.06 % of the light is missing;"),
+            "{dark}"
+        );
+        let bright = line(-0.0038);
+        assert!(
+            bright.contains("biased: it is 0.38 ± 0.06 % brighter than it should be;"),
+            "{bright}"
+        );
+    }
 }

@@ -2,9 +2,9 @@
 
 use super::demand::{Demand, measured_size};
 use super::{Stop, answer};
-use crate::desk::on_ctrl_c;
+use crate::desk::{on_ctrl_c, whole};
 use crate::effects::measure::{Difference, Setup, difference};
-use crate::effects::plan::{self, Plan, demand};
+use crate::effects::plan::{self, Plan, count, demand};
 use crate::scene::description::Description;
 use crate::scene::{Effect, Scene, gallery};
 use clap::Args;
@@ -25,10 +25,10 @@ pub struct EffectsOf {
     #[arg(long)]
     measure: bool,
     /// Samples per pixel of each of these renders
-    #[arg(long, default_value_t = 16, value_parser = clap::value_parser!(u32).range(1..=65_536))]
+    #[arg(long, requires = "measure", default_value_t = 16, allow_negative_numbers = true, value_parser = whole(1_u32..=65_536))]
     spp: u32,
     /// How often each is rendered
-    #[arg(long, default_value_t = 6, value_parser = clap::value_parser!(u32).range(3..=1000))]
+    #[arg(long, requires = "measure", default_value_t = 6, allow_negative_numbers = true, value_parser = whole(3_u32..=1000))]
     rounds: u32,
     /// Print all of it as JSON
     #[arg(long)]
@@ -190,9 +190,12 @@ fn describe_demand(left: &plan::Demand) -> String {
 
 fn describe_measurements(measured: &Measurements, spp: u32, rounds: u32) -> String {
     let mut text = format!(
-        "\nmeasured with {spp} samples per pixel, {rounds} times with and without in turn\n\
+        "\nmeasured with {} per pixel, {rounds} times with and without in turn\n\
          {:<14} {:<26} {:<22} relative squared error without\n",
-        "effect", "time with / without", "share of the light"
+        count(spp as usize, "sample", "samples"),
+        "effect",
+        "time with / without",
+        "missing without"
     );
     for Measured { effect, difference } in &measured.effects {
         let share = format!(
@@ -207,6 +210,9 @@ fn describe_measurements(measured: &Measurements, spp: u32, rounds: u32) -> Stri
             difference.rel_mse,
             difference.rel_mse_error
         );
+    }
+    if measured.effects.iter().any(|m| m.difference.share < 0.0) {
+        text += "(below zero: the picture is brighter without)\n";
     }
     if let Some(all_on) = &measured.all_on {
         text += &format!(

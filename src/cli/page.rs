@@ -25,3 +25,34 @@ pub(super) fn html(records: &[Record]) -> Result<String, Stop> {
         .and_then(|page| page.render(context! { chapters }))
         .map_err(failure)
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::ledger::Ledger;
+    use crate::stats::z_test::Largest;
+
+    #[test]
+    fn the_ledger_gives_the_largest_z_with_the_number_of_comparisons_and_no_sign() {
+        let ledger = Ledger {
+            compared: Some(Largest { z: 2.796, of: 24 }.into()),
+            ..Ledger::of("gained")
+        };
+        let record = Record {
+            chapter: "ch01".to_owned(),
+            title: "From the eye".to_owned(),
+            question: String::new(),
+            seed: 1,
+            quick: true,
+            numbers: Default::default(),
+            figures: Vec::new(),
+            ledger: Some(ledger),
+        };
+        let page = html(&[record]).unwrap_or_else(|e| panic!("{e:?}"));
+        assert!(
+            page.contains("<td>2.80 of 24</td>\n  <td>4.1</td>"),
+            "{page}"
+        );
+        assert!(!page.contains("+2.80") && !page.contains("bias"), "{page}");
+    }
+}

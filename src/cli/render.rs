@@ -5,7 +5,7 @@ use super::maps::Maps;
 use super::report::{as_json, report};
 use super::stop::{self, Ending};
 use super::{Stop, answer, use_threads};
-use crate::desk::{Bar, on_ctrl_c};
+use crate::desk::{Bar, on_ctrl_c, whole};
 use crate::effects::{measure::Setup, plan};
 use crate::integrators::{
     Albedo, Depth, Integrator, Named, Normals, Path as PathTracer, Restricted, Whitted,
@@ -35,7 +35,7 @@ pub struct Render {
     ending: Ending,
     /// Longest path in segments: the camera ray is the first, the one to the light the last
     /// [default: the scene's suggestion]
-    #[arg(long, value_parser = clap::value_parser!(u32).range(1..=100_000))]
+    #[arg(long, allow_negative_numbers = true, value_parser = whole(1_u32..=100_000))]
     max_depth: Option<u32>,
     /// How the samples of a pixel lie to each other [default: sobol for path, else independent]
     #[arg(long, value_enum)]
@@ -44,10 +44,10 @@ pub struct Render {
     #[arg(long, value_name = "WxH", value_parser = size)]
     size: Option<[u32; 2]>,
     /// Seed of all random numbers: the same seed gives the same bytes
-    #[arg(long, default_value_t = 0)]
+    #[arg(long, default_value_t = 0, allow_negative_numbers = true, value_parser = whole(0..=u64::MAX))]
     seed: u64,
     /// Threads to render on; changes no bit of the picture [default: one for each core]
-    #[arg(long, value_parser = clap::value_parser!(u16).range(1..=1024))]
+    #[arg(long, allow_negative_numbers = true, value_parser = whole(1_u16..=1024))]
     threads: Option<u16>,
     /// The picture: .png for screens, .exr with errors and sample counts, .hdr
     /// [default: out/SCENE.png]

@@ -1,5 +1,6 @@
 //! When `halfdisk render` ends: after so many samples, at an error, or when time is up.
 
+use crate::desk::whole;
 use crate::render::accuracy::{Accuracy, Measure};
 use crate::render::target::{Goal, MOST_SAMPLES, Outcome, StoppedBy, fewest, percent, seconds};
 use crate::sampling::stream::Sampler;
@@ -11,7 +12,7 @@ use std::time::Duration;
 #[derive(Debug, Args)]
 pub(super) struct Ending {
     /// Samples per pixel [default: the scene's suggestion]
-    #[arg(long, value_parser = clap::value_parser!(u32).range(1..=i64::from(MOST_SAMPLES)),
+    #[arg(long, allow_negative_numbers = true, value_parser = whole(1_u32..=MOST_SAMPLES),
         conflicts_with_all = ["target_error", "time"])]
     spp: Option<u32>,
     /// End at this relative error, such as 2%: the root mean square over the pixels of each one's

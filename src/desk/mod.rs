@@ -6,10 +6,12 @@
 mod bar;
 mod interrupt;
 mod record;
+mod whole;
 
 pub use bar::Bar;
 pub use interrupt::{INTERRUPTED, on_ctrl_c};
 pub use record::{Figure, Number, Record};
+pub use whole::whole;
 
 use crate::chart::ChartError;
 use crate::ledger::Ledger;
@@ -31,16 +33,16 @@ pub struct Options {
     #[arg(long, value_name = "DIR", default_value = "out")]
     pub out: PathBuf,
     /// Seed of all random numbers: the same seed gives the same bytes
-    #[arg(long, default_value_t = 1)]
+    #[arg(long, default_value_t = 1, allow_negative_numbers = true, value_parser = whole(0..=u64::MAX))]
     pub seed: u64,
     /// Samples per pixel of the chapter's pictures, instead of its own choice
-    #[arg(long, value_parser = clap::value_parser!(u32).range(1..=1 << 20))]
+    #[arg(long, allow_negative_numbers = true, value_parser = whole(1_u32..=1 << 20))]
     pub spp: Option<u32>,
     /// Fewer samples: for tests, and for a first look
     #[arg(long)]
     pub quick: bool,
     /// Threads to render on; changes no result [default: one for each core]
-    #[arg(long, value_parser = clap::value_parser!(u16).range(1..=1024))]
+    #[arg(long, allow_negative_numbers = true, value_parser = whole(1_u16..=1024))]
     pub threads: Option<u16>,
     /// Print the chapter's data as JSON instead of text
     #[arg(long)]

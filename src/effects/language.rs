@@ -12,7 +12,13 @@ pub(super) fn known(text: &str) -> Expression {
     }
 }
 
-/// Classes of light paths; every path is in exactly one.
+/// Classes of light paths; every path is in exactly one. A surface of kind `D` or `G` is rough.
+///
+/// Caustics and bleeding are defined here, and nowhere else: what [`Effect::Caustics`] and
+/// [`Effect::Bleeding`] bring are the words of these classes.
+///
+/// Source: Heckbert, Adaptive Radiosity Textures for Bidirectional Ray Tracing (SIGGRAPH 1990), for
+/// the notation, and for `LS+DE`, the caustic, and `LD+E`, the light between diffuse surfaces.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, serde::Serialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum Class {
@@ -24,9 +30,12 @@ pub enum Class {
     Direct,
     /// The same by way of mirrors and glass.
     DirectSpecular,
-    /// Light from one rough surface to another.
+    /// Light that its first rough surface receives from the light itself, and hands on to another one:
+    /// colour that bleeds, `LDDE`, also by way of mirrors and glass, `LDSDE`.
     Bleeding,
-    /// Light that came to its first rough surface by way of mirrors or glass.
+    /// Light that mirrors or glass hand from the light to its first rough surface: there is nothing
+    /// but `S`, at least once, between `L` and the first `D` or `G`. What becomes of it afterwards
+    /// does not matter: `LSDE`, `LSDSE` and `LSDDE` are caustics, `LDSDE` is none.
     Caustic,
 }
 

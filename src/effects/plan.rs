@@ -59,7 +59,7 @@ pub fn plan(scene: &Scene) -> Plan {
     let line = |effect| Line {
         effect,
         simulated: effects.has(effect),
-        reason: reason(effect, effects.has(effect), inventory),
+        reason: reason(effect, inventory),
     };
     let out_of_reach = language::out_of_reach(inventory).map(|paths| OutOfReach {
         paths: paths.to_string(),
@@ -104,7 +104,9 @@ pub fn never_a_path(wanted: &Expression) -> Option<&'static str> {
     )
 }
 
-fn reason(effect: Effect, simulated: bool, has: &Inventory) -> String {
+/// Why an effect is simulated, or why not, in a sentence.
+pub fn reason(effect: Effect, has: &Inventory) -> String {
+    let simulated = has.effects().has(effect);
     if has.is_dark() {
         return "nothing shines, so there is nothing to simulate".to_owned();
     }
@@ -220,9 +222,12 @@ fn notes(scene: &Scene) -> Vec<String> {
     let mut notes = Vec::new();
     let unused = &scene.inventory.unused_materials;
     if !unused.is_empty() {
-        let are = if unused.len() == 1 { "is" } else { "are" };
+        let (are, it, counts) = match unused.as_slice() {
+            [_] => ("is", "it", "it counts"),
+            _ => ("are", "them", "they count"),
+        };
         notes.push(format!(
-            "{} {are} defined, but no object uses it: it counts for nothing",
+            "{} {are} defined, but no object uses {it}: {counts} for nothing",
             unused.join(", ")
         ));
     }
@@ -240,6 +245,7 @@ fn notes(scene: &Scene) -> Vec<String> {
     notes
 }
 
-fn count(n: usize, one: &str, many: &str) -> String {
+/// A number of things: `1 sample`, `2 samples`.
+pub fn count(n: usize, one: &str, many: &str) -> String {
     format!("{n} {}", if n == 1 { one } else { many })
 }

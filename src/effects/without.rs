@@ -1,7 +1,7 @@
 //! An effect left out on purpose. The picture is wrong by what is missing, and should say by how
 //! much.
 
-use super::language::{self, Wanted};
+use super::language::{self, Class, Wanted};
 use crate::notation::Expression;
 use crate::scene::Effect;
 use crate::scene::description::{Color, Description, Lambert, Material};
@@ -83,10 +83,45 @@ pub fn lost(effect: Effect) -> Option<&'static str> {
         Effect::Diffuse => Some(".*D.*"),
         Effect::Specular => Some(".*S.*"),
         Effect::Gloss => Some(".*G.*"),
-        Effect::Bleeding => Some(".*[DG].*[DG].*"),
-        Effect::Caustics => Some(".*S[DG].*"),
+        Effect::Bleeding => Some(Class::Bleeding.text()),
+        Effect::Caustics => Some(Class::Caustic.text()),
         Effect::PointLights | Effect::AreaLights | Effect::Sky | Effect::Lens | Effect::Motion => {
             None
         }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Which of some words an effect brings.
+    fn brings(effect: Effect) -> Vec<&'static str> {
+        let words = [
+            "LE", "LSE", "LDE", "LGE", "LDSE", "LSDE", "LSGE", "LSSDE", "LSDSE", "LSDDE", "LDDE",
+            "LGDE", "LDSDE", "LDDSE",
+        ];
+        let language = language::known(lost(effect).unwrap());
+        let has = |word: &&str| {
+            let word = language::known(word);
+            language.light_first().includes(word.light_first())
+        };
+        words.into_iter().filter(has).collect()
+    }
+
+    #[test]
+    fn caustics_and_bleeding_are_those_of_the_classes() {
+        for (effect, class) in [
+            (Effect::Caustics, Class::Caustic),
+            (Effect::Bleeding, Class::Bleeding),
+        ] {
+            assert_eq!(lost(effect), Some(class.text()));
+        }
+        // Between L and the first rough surface there is nothing but S.
+        let caustics = ["LSDE", "LSGE", "LSSDE", "LSDSE", "LSDDE"];
+        assert_eq!(brings(Effect::Caustics), caustics);
+        // Two rough surfaces, the first of which the light itself lights.
+        let bleeding = ["LDDE", "LGDE", "LDSDE", "LDDSE"];
+        assert_eq!(brings(Effect::Bleeding), bleeding);
     }
 }

@@ -78,8 +78,8 @@ pub struct Size {
     pub rmse: f64,
     /// Standard error of that.
     pub rmse_error: f64,
-    /// Variance of the estimates.
-    pub variance: f64,
+    /// Variance of the estimates; `None` of one run alone, which has no scatter.
+    pub variance: Option<f64>,
 }
 
 /// An estimator's error against its samples.
@@ -189,10 +189,10 @@ fn size(samples: u32, rays_per_sample: u32, errors: impl Iterator<Item = f64> + 
     let square: Estimate = errors.map(|e| e * e).collect();
     let rmse = square.mean().sqrt();
     // The square root's error to first order: d√m = dm / 2√m.
-    let rmse_error = if rmse > 0.0 {
-        square.std_error() / (2.0 * rmse)
-    } else {
+    let rmse_error = if rmse == 0.0 && square.count() > 1 {
         0.0
+    } else {
+        square.std_error() / (2.0 * rmse)
     };
     Size {
         samples,
@@ -201,7 +201,7 @@ fn size(samples: u32, rays_per_sample: u32, errors: impl Iterator<Item = f64> + 
         bias_error: bias.std_error(),
         rmse,
         rmse_error,
-        variance: bias.variance(),
+        variance: (bias.count() > 1).then(|| bias.variance()),
     }
 }
 
@@ -221,13 +221,13 @@ impl Convergence {
         }
     }
 
-    /// One line for each size, with a header.
+    /// One line for each size, with a header. A variance that is not known is left empty.
     pub fn to_csv(&self) -> String {
         let mut csv = String::from("name,samples,rays,bias,bias_error,rmse,rmse_error,variance\n");
         for s in &self.sizes {
             let _ = writeln!(
                 csv,
-                "{},{},{},{:e},{:e},{:e},{:e},{:e}",
+                "{},{},{},{:e},{:e},{:e},{:e},{}",
                 self.name,
                 s.samples,
                 s.rays,
@@ -235,7 +235,7 @@ impl Convergence {
                 s.bias_error,
                 s.rmse,
                 s.rmse_error,
-                s.variance
+                s.variance.map_or_else(String::new, |v| format!("{v:e}"))
             );
         }
         csv

@@ -1,9 +1,25 @@
 //! How far a picture is from the truth, by its own account, and what it would take to be closer.
 //!
-//! The error of a pixel is relative to the brightness of its surroundings, as eyes see it: the mean of
-//! the 9 x 9 pixels around it, or of the whole picture where that is brighter. Relative to its own value
-//! instead, a dark pixel that a single bright sample hits would have a small error; and without any
-//! division, the edge of a lamp would count more than all the rest of the picture.
+//! # The relative error
+//!
+//! One definition serves renders, maps, prices, effects and comparisons. With values `x` of a pixel and
+//! the truth `t`, the squared relative error of the pixel is the mean over its three channels of
+//!
+//! ```text
+//! (x - t)² / b²
+//! ```
+//!
+//! where `b` is the brightness around the pixel in the truth: the mean over channels of the 9 x 9 pixels
+//! around it, or of the whole picture where that is brighter ([`brightness`]). The relative error of the
+//! picture is the root of the mean over its pixels. Where there is no truth to compare with, the squared
+//! standard error stands for `(x - t)²` and the picture itself for the truth.
+//!
+//! The square is a relMSE, as in Rousselle, Knaus, Zwicker, Adaptive Sampling and Reconstruction using
+//! Greedy Error Minimization (SIGGRAPH Asia 2011). There a pixel counts relative to its own value, and a
+//! small constant keeps black ones from counting without bound. Such a constant has a unit, so the error
+//! would change with the exposure; and relative to its own value, a dark pixel that a single bright
+//! sample hits would seem to have a small error. Without any division, the edge of a lamp would count
+//! more than all the rest of the picture.
 
 use super::{Film, Picture, Pixel};
 use crate::stats::Estimate;
@@ -22,10 +38,18 @@ pub enum Measure {
 impl Measure {
     fn of(self, squares: Vec<f64>) -> f64 {
         match self {
-            Measure::RootMeanSquare => squares.into_iter().collect::<Estimate>().mean().sqrt(),
+            Measure::RootMeanSquare => mean(squares).sqrt(),
             Measure::Quantile(share) => quantile(squares, share).sqrt(),
         }
     }
+}
+
+/// The mean of squares; infinite where one of them is, for an estimate would make it no number.
+pub(super) fn mean(squares: Vec<f64>) -> f64 {
+    if squares.contains(&f64::INFINITY) {
+        return f64::INFINITY;
+    }
+    squares.into_iter().collect::<Estimate>().mean()
 }
 
 /// The standard error of each pixel of a film, relative to the brightness around it.
@@ -48,21 +72,21 @@ struct Known {
 impl Accuracy {
     /// The accuracy of a film. Pixels without a single finite sample have no part in it.
     pub fn of(film: &Film) -> Self {
-        let brightness = brightness(&film.picture());
-        let known = |(pixel, b): (&Pixel, f64)| {
+        let scale = Scale::of(&film.picture());
+        let known = |(i, pixel): (usize, &Pixel)| {
             let square = match pixel.count() {
                 0 => 0.0,
                 _ => pixel.std_errors().iter().map(|e| e * e).sum::<f64>() / 3.0,
             };
             Known {
                 square,
-                relative: relative(square, b),
+                relative: scale.relative(i, square),
                 samples: pixel.count(),
             }
         };
         Accuracy {
             width: film.width(),
-            pixels: film.pixels().iter().zip(brightness).map(known).collect(),
+            pixels: film.pixels().iter().enumerate().map(known).collect(),
         }
     }
 
@@ -91,10 +115,7 @@ impl Accuracy {
     /// The share of the squared error that the worst thousandth of the pixels carries: 0.001 if all
     /// were alike, near 1 for a few fireflies.
     pub fn top_share(&self) -> f64 {
-        let mut squares: Vec<f64> = self.squares().collect();
-        squares.sort_by(|x, y| y.total_cmp(x));
-        let top = &squares[..squares.len().div_ceil(1000)];
-        top.iter().sum::<f64>() / squares.iter().sum::<f64>()
+        top_share(self.squares().collect())
     }
 
     /// For each pixel, the samples it would take for a relative error of `target`, if the variance
@@ -116,6 +137,38 @@ impl Accuracy {
     }
 }
 
+/// What the errors of a picture's pixels are relative to: the brightness around each.
+#[derive(Clone, Debug)]
+pub struct Scale(Vec<f64>);
+
+impl Scale {
+    /// The scale of errors against this picture: the truth, or the best that is known of it.
+    pub fn of(picture: &Picture) -> Scale {
+        Scale(brightness(picture))
+    }
+
+    /// The squared relative error of pixel `i`, from the mean over its channels of the squared error.
+    /// No error is no relative error, also where all is black.
+    pub fn relative(&self, i: usize, square: f64) -> f64 {
+        if square == 0.0 {
+            0.0
+        } else {
+            square / (self.0[i] * self.0[i])
+        }
+    }
+
+    /// The root mean square of what errors are relative to, over the pixels.
+    pub fn root_mean_square(&self) -> f64 {
+        let squares: Estimate = self.0.iter().map(|b| b * b).collect();
+        squares.mean().sqrt()
+    }
+
+    /// An error with its sign, of pixel `i`, relative in the same way.
+    pub fn signed(&self, i: usize, off: f64) -> f64 {
+        if off == 0.0 { 0.0 } else { off / self.0[i] }
+    }
+}
+
 /// The relative error of a picture against a reference, whose brightness counts: what
 /// [`Accuracy::error`] estimates of an unbiased picture without one.
 ///
@@ -126,25 +179,31 @@ pub fn true_error(picture: &Picture, reference: &Picture, measure: Measure) -> f
     measure.of(true_squares(picture, reference))
 }
 
-fn true_squares(picture: &Picture, reference: &Picture) -> Vec<f64> {
+/// The squared relative error of each pixel of a picture against a reference.
+///
+/// # Panics
+///
+/// Where the pictures are not of the same size.
+pub fn true_squares(picture: &Picture, reference: &Picture) -> Vec<f64> {
     assert_eq!(picture.size, reference.size);
+    let scale = Scale::of(reference);
     let pixels = picture.values.iter().zip(&reference.values);
     let square =
         |(a, b): (&[f64; 3], &[f64; 3])| (0..3).map(|i| (a[i] - b[i]).powi(2)).sum::<f64>() / 3.0;
-    let brightness = brightness(reference);
-    pixels
-        .map(square)
-        .zip(brightness)
-        .map(|(s, b)| relative(s, b))
-        .collect()
+    let squares = pixels.map(square).enumerate();
+    squares.map(|(i, s)| scale.relative(i, s)).collect()
 }
 
-/// A black picture without any error has a relative error of 0.
-fn relative(square: f64, brightness: f64) -> f64 {
-    if square == 0.0 {
-        0.0
+/// The share of the sum of squared errors that the worst thousandth of the pixels carries; 0 of no
+/// error.
+pub fn top_share(mut squares: Vec<f64>) -> f64 {
+    squares.sort_by(|x, y| y.total_cmp(x));
+    let total: f64 = squares.iter().sum();
+    let top = &squares[..squares.len().div_ceil(1000)];
+    if total > 0.0 {
+        top.iter().sum::<f64>() / total
     } else {
-        square / (brightness * brightness)
+        0.0
     }
 }
 

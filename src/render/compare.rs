@@ -1,6 +1,7 @@
 //! How far two pictures are apart.
 
 use super::Picture;
+use super::accuracy::{self, true_squares};
 use crate::stats::Estimate;
 use crate::stats::z_test::{critical, sidak};
 
@@ -13,25 +14,16 @@ pub fn mse(a: &Picture, b: &Picture) -> f64 {
     mean(channels(a, b).map(|(x, y)| (x - y).powi(2)))
 }
 
-/// Mean squared relative difference `(a - b)² / (b² + 0.01)`, over all pixels and channels; `b` is
-/// the reference. The summand keeps black pixels from counting without bound.
+/// The squared relative error of `a` against the reference `b`, mean over the pixels: the square of
+/// [`true_error`](super::accuracy::true_error).
 pub fn rel_mse(a: &Picture, b: &Picture) -> f64 {
-    mean(rel_squares(a, b).into_iter())
+    accuracy::mean(true_squares(a, b))
 }
 
-/// The share of [`rel_mse`] that the worst thousandth of all pixels and channels carries: 0.001 if
-/// all were equally far off, near 1 for a few fireflies.
+/// The share of [`rel_mse`] that the worst thousandth of the pixels carries: 0.001 if all were
+/// equally far off, near 1 for a few fireflies.
 pub fn top_share(a: &Picture, b: &Picture) -> f64 {
-    let mut squares = rel_squares(a, b);
-    squares.sort_by(|x, y| y.total_cmp(x));
-    let top = squares.len().div_ceil(1000);
-    let total: f64 = squares.iter().sum();
-    squares[..top].iter().sum::<f64>() / total
-}
-
-fn rel_squares(a: &Picture, b: &Picture) -> Vec<f64> {
-    let relative = |(x, y): (f64, f64)| (x - y).powi(2) / (y * y + 0.01);
-    channels(a, b).map(relative).collect()
+    accuracy::top_share(true_squares(a, b))
 }
 
 /// How many standard errors two independent pictures are apart, pixel by pixel.
@@ -96,4 +88,60 @@ fn channels<'a>(a: &'a Picture, b: &'a Picture) -> impl Iterator<Item = (f64, f6
 
 fn mean(values: impl Iterator<Item = f64>) -> f64 {
     values.collect::<Estimate>().mean()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn grey(values: &[f64]) -> Picture {
+        Picture {
+            size: [values.len() as u32, 1],
+            values: values.iter().map(|x| [*x; 3]).collect(),
+            errors: None,
+        }
+    }
+
+    #[test]
+    fn errors_are_relative_to_the_reference_and_not_to_the_estimate() {
+        let (estimate, truth) = (grey(&[3.0, 1.0]), grey(&[1.0, 1.0]));
+        // A difference of 2, of one pixel of two: relative to 1, or the other way round to 2.
+        assert_eq!(rel_mse(&estimate, &truth), 2.0);
+        assert_eq!(rel_mse(&truth, &estimate), 0.5);
+        // All of it scaled is the same error: no constant in it has a unit.
+        let scaled = |p: &[f64]| grey(&p.iter().map(|x| x / 1024.0).collect::<Vec<_>>());
+        assert_eq!(rel_mse(&scaled(&[3.0, 1.0]), &scaled(&[1.0, 1.0])), 2.0);
+    }
+
+    #[test]
+    fn the_top_share_is_that_of_the_reference() {
+        // Of two equal differences one is at a dark place and one beside bright pixels: the first counts
+        // sixteen times as much. In the estimate the places are exchanged.
+        let row = |left: f64, right: f64| {
+            let mut values = vec![1.0; 40];
+            values[..9].fill(left);
+            values[31..].fill(right);
+            values
+        };
+        let mut truth = row(1.0, 17.0);
+        let mut estimate = truth.clone();
+        truth[4] = 1.0;
+        estimate[4] += 2.0;
+        estimate[35] += 2.0;
+        let [a, b] = [&estimate, &truth].map(|values| grey(values));
+        let scale = accuracy::brightness(&b);
+        let [dark, bright] = [4, 35].map(|i| (2.0 / scale[i]).powi(2));
+        assert!(dark > 4.0 * bright, "{dark} {bright}");
+        let share = top_share(&a, &b);
+        assert!((share - dark / (dark + bright)).abs() < 1e-12, "{share}");
+        // Of no difference there is no share.
+        assert_eq!(top_share(&b, &b), 0.0);
+    }
+
+    #[test]
+    fn what_is_black_has_no_error_unless_something_is_there() {
+        let black = grey(&[0.0, 0.0]);
+        assert_eq!(rel_mse(&black, &black), 0.0);
+        assert_eq!(rel_mse(&grey(&[0.1, 0.0]), &black), f64::INFINITY);
+    }
 }

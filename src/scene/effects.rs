@@ -22,9 +22,11 @@ pub enum Effect {
     Specular,
     /// Reflection and refraction into lobes of some width: `G`.
     Gloss,
-    /// Light from one rough surface to another, such as colour that bleeds.
+    /// Light that a rough surface, lit directly, hands on to another: colour that bleeds,
+    /// `L(D|G)S*(D|G)(D|S|G)*E`.
     Bleeding,
-    /// Light that a mirror or glass focuses on a rougher surface.
+    /// Light that comes to its first rough surface by mirrors and glass alone,
+    /// `LS+(D|G)(D|S|G)*E`.
     Caustics,
     /// Depth of field.
     Lens,

@@ -23,6 +23,7 @@ mod placement;
 mod procedural;
 pub mod read;
 mod spacing;
+mod tables;
 pub mod tracer;
 
 pub use casters::{Casters, SeenCasters};

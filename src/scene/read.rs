@@ -1,6 +1,7 @@
 //! From a file to a description, with errors that name the line and the field.
 
 use super::field::{Field, Problem, Step};
+use super::tables::{TABLE_OF, Tables};
 use serde::de::DeserializeOwned;
 use std::borrow::Cow;
 use std::ops::Range;
@@ -20,6 +21,9 @@ pub enum SceneError {
         /// Why.
         reason: String,
     },
+    /// There is no scene of this name.
+    #[error("{0}")]
+    Unknown(String),
     /// A value in the file is not allowed.
     #[error("{file}:{line}: {}{what}", quoted(field))]
     Value {
@@ -89,13 +93,29 @@ pub fn text_of(
 /// The error of a name that is neither in the gallery nor a file.
 pub fn unknown(name: &str, gallery: &[(&str, &str)]) -> SceneError {
     let names: Vec<&str> = gallery.iter().map(|(name, _)| *name).collect();
-    SceneError::File {
-        file: name.to_owned(),
-        reason: format!(
-            "is neither a scene of the gallery ({}) nor a file",
-            names.join(", ")
-        ),
+    let all = names.join(", ");
+    if name.trim().is_empty() {
+        let text = format!("no scene is named: give one of the gallery ({all}) or a .toml file");
+        return SceneError::Unknown(text);
     }
+    let meant = match nearest(name, &names) {
+        Some(near) => format!("; did you mean `{near}`?"),
+        None => String::new(),
+    };
+    SceneError::Unknown(format!(
+        "`{name}` is neither a scene of the gallery ({all}) nor a file{meant}"
+    ))
+}
+
+/// Names less alike than this (Jaro and Winkler) are other names.
+const ALIKE: f64 = 0.8;
+
+/// The name that was meant, if one is near enough.
+fn nearest<'a>(name: &str, names: &[&'a str]) -> Option<&'a str> {
+    let stem = name.trim_end_matches(".toml").to_lowercase();
+    let near = |other: &&'a str| (strsim::jaro_winkler(&stem, other), *other);
+    let best = names.iter().map(near).max_by(|a, b| a.0.total_cmp(&b.0))?;
+    (best.0 > ALIKE).then_some(best.1)
 }
 
 /// A scene file's text with its name, for error messages.
@@ -110,7 +130,9 @@ pub struct Source<'a> {
 impl Source<'_> {
     /// Reads the text into a description of any kind.
     pub fn parse<T: DeserializeOwned>(&self) -> Result<T, SceneError> {
-        toml::from_str(self.text).map_err(|error| self.parse_error(&error))
+        toml::Deserializer::parse(self.text)
+            .and_then(|document| T::deserialize(Tables(document)))
+            .map_err(|error| self.parse_error(&error))
     }
 
     /// Turns a complaint about a field into an error with its line.
@@ -159,11 +181,14 @@ fn explain(field: &Field, message: &str) -> Problem {
     let Some((found, expected)) = message.rsplit_once(", expected ") else {
         return field.problem(format!("cannot be read: {message}"));
     };
+    let (expected, fields) = match expected.strip_prefix(TABLE_OF) {
+        Some(fields) => ("a table", format!("; its fields are {fields}")),
+        None => (expected, String::new()),
+    };
     let expected = match expected {
         "f64" => "a number",
         "i64" => "a whole number",
         "a sequence" => "a list",
-        other if other.starts_with("struct ") => "a table",
         other => other.trim_start_matches("one of "),
     };
     field.problem(if found.starts_with("unknown field ") {
@@ -176,8 +201,8 @@ fn explain(field: &Field, message: &str) -> Problem {
             .trim_end_matches(" as i128");
         match found {
             "map" => format!("must be {expected}, not a table"),
-            "sequence" => format!("must be {expected}, not a list"),
-            _ => format!("must be {expected}, not the {found}"),
+            "sequence" => format!("must be {expected}, not a list{fields}"),
+            _ => format!("must be {expected}, not the {found}{fields}"),
         }
     })
 }

@@ -97,6 +97,55 @@ pub fn sidak(family: f64, tests: u32) -> f64 {
     -libm::expm1(libm::log1p(-family) / f64::from(tests))
 }
 
+/// A right family of comparisons has a larger |z| than its [`Largest::surprising`] in one of so many.
+const SURPRISE: f64 = 1000.0;
+
+/// The largest |z| of several comparisons with known truths. The more there are, the larger it is by
+/// chance alone: it means something only beside their number.
+///
+/// ```
+/// use halfdisk::stats::z_test::Largest;
+///
+/// let mut largest = Largest::default();
+/// [-2.8, 1.1].into_iter().chain([0.3; 22]).for_each(|z| largest.add(z));
+/// assert_eq!((largest.z, largest.of), (2.8, 24));
+/// assert!((largest.surprising() - 4.10).abs() < 0.01);
+/// ```
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Largest {
+    /// The largest distance of an estimate from its truth in standard errors, on either side.
+    pub z: f64,
+    /// Of so many comparisons.
+    pub of: u32,
+}
+
+impl Largest {
+    /// Counts a comparison. One whose z is no number is beyond all others.
+    pub fn add(&mut self, z: f64) {
+        let z = if z.is_nan() { f64::INFINITY } else { z.abs() };
+        self.z = self.z.max(z);
+        self.of += 1;
+    }
+
+    /// The largest of these comparisons and of others.
+    #[must_use]
+    pub fn with(self, other: Largest) -> Largest {
+        Largest {
+            z: self.z.max(other.z),
+            of: self.of + other.of,
+        }
+    }
+
+    /// What the largest |z| of so many independent comparisons exceeds by chance once in a thousand
+    /// times ([`sidak`]); where they are not independent, less often. 0 without any comparison.
+    pub fn surprising(&self) -> f64 {
+        match self.of {
+            0 => 0.0,
+            tests => critical(sidak(1.0 / SURPRISE, tests)),
+        }
+    }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;

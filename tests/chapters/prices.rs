@@ -35,7 +35,7 @@ fn ch14_cost() {
         assert!(data["numbers"].get(format!("price_{name}")).is_none());
     }
     let price = |name: &str| number(&data, &format!("price_{name}"), "value");
-    assert!(price("kajiya") > 20.0 && price("path_sobol") < 1.0);
+    assert!(price("kajiya") > 10.0 && price("path_sobol") < 1.0);
     // The shares of the pixels of a scene are all of them.
     for scene in ["cornell", "spheres", "gloss", "caustic"] {
         let share = |part: &str| number(&data, &format!("{part}_{scene}"), "value");

@@ -81,6 +81,14 @@ fn ch18_what_the_scene_asks() {
         assert_eq!(value(&format!("differ_{scene}")), 0.0, "{scene}");
         assert_eq!(value(&format!("rays_all_{scene}")), 1.0, "{scene}");
     }
+    // Bleeding and caustics are the same words in both tables.
+    for [class, effect] in [["bleeding"; 2], ["caustic", "caustics"]] {
+        let [class, effect] = [format!("share_{class}"), format!("worth_{effect}")];
+        let apart = value(&class) - value(&effect);
+        let error = |name: &str| number(&data, name, "error");
+        let error = error(&class).hypot(error(&effect));
+        assert!(apart.abs() < 4.0 * error, "{class} {apart} ± {error}");
+    }
     assert_eq!(value("point_lost"), 0.0);
     assert_eq!(value("point_has"), 1.0);
     assert_eq!(value("point_kajiya"), 0.0);

@@ -269,6 +269,18 @@ name = "sample" | name = "sample |  | is not proper TOML
 }
 
 #[test]
+fn a_list_in_the_place_of_a_table_is_told_the_fields_of_the_table() {
+    check(
+        r#"
+rotate = { axis = [0, 1, 0], degrees = 30 } | rotate = [0, 90, 0] | objects[1].transform.rotate | must be a table, not a list; its fields are axis, degrees
+rotate = { axis = [0, 1, 0], degrees = 30 } | rotate = [[0, 1, 0], 30] | objects[1].transform.rotate | must be a table, not a list; its fields are axis, degrees
+sphere = { center = [1, 0.5, 0], radius = 0.5 } | sphere = [[1, 0.5, 0], 0.5] | objects[1].sphere | must be a table, not a list; its fields are center, radius, inward
+lambert = { albedo = [0.5, 0.4, 0.3] } | lambert = [0.5] | materials.dull.lambert | must be a table, not a list; its fields are albedo
+"#,
+    );
+}
+
+#[test]
 fn names_that_are_no_scene() {
     let folder = folder();
     std::fs::write(folder.path().join("scene.json"), "{}").unwrap();
@@ -277,9 +289,12 @@ fn names_that_are_no_scene() {
     for (name, words) in [
         (
             "cornel",
-            "cornel: is neither a scene of the gallery (cornell, spheres,",
+            "`cornel` is neither a scene of the gallery (cornell, spheres,",
         ),
-        ("", ": is neither a scene of the gallery"),
+        (
+            "",
+            "no scene is named: give one of the gallery (cornell, spheres,",
+        ),
         (
             "scene.json",
             "scene.json: is not a scene file: their names end in .toml",
@@ -295,8 +310,20 @@ fn names_that_are_no_scene() {
         assert!(sentence.starts_with(words), "{sentence}");
         assert!(!folder.path().join("out").exists());
     }
+    for (name, meant) in [
+        ("cornel", "cornell"),
+        ("Cornell", "cornell"),
+        ("CAUSTICS", "caustic"),
+        ("sphere", "spheres"),
+    ] {
+        let sentence = refused(folder.path(), &["effects", name], 2);
+        let ends = format!("nor a file; did you mean `{meant}`?");
+        assert!(sentence.ends_with(&ends), "{sentence}");
+    }
+    let sentence = refused(folder.path(), &["render", "music"], 2);
+    assert!(sentence.ends_with("nor a file"), "{sentence}");
     let sentence = refused(folder.path(), &["scenes", "--show", "cornel"], 2);
-    assert!(sentence.starts_with("cornel: is neither"), "{sentence}");
+    assert!(sentence.starts_with("`cornel` is neither"), "{sentence}");
 }
 
 #[test]

@@ -201,3 +201,38 @@ fn ctrl_c_keeps_what_is_finished() {
     let file = folder.path().join("out/converge/midpoints.csv");
     assert_eq!(file.exists(), kept);
 }
+
+#[test]
+fn of_one_run_alone_neither_error_nor_variance_is_known() {
+    let folder = folder();
+    for name in ["darts", "half-disk"] {
+        let one = [name, "--replicates", "1", "--doublings", "3"];
+        let text = converge(folder.path(), &one);
+        let rows: Vec<&str> = text.lines().filter(|l| l.contains(" ± ")).collect();
+        assert!(rows.len() > 1, "{text}");
+        for row in rows.iter().skip(1) {
+            assert_eq!(row.matches("unknown").count(), 2, "{row}");
+        }
+        let path = folder.path().join("out/converge").join(name);
+        let read = |ending| std::fs::read_to_string(path.with_extension(ending)).unwrap();
+        for line in read("csv").lines().skip(1) {
+            assert!(line.ends_with(','), "{line}");
+        }
+        let json: Value = serde_json::from_str(&read("json")).unwrap();
+        let sizes = json["estimators"][0]["sizes"].as_array().unwrap();
+        assert_eq!(sizes.len(), 3);
+        for size in sizes {
+            assert!(
+                size["variance"].is_null() && size["rmse_error"].is_null(),
+                "{size}"
+            );
+            assert!(size["rmse"].as_f64().unwrap() >= 0.0);
+        }
+        // Two runs know them.
+        let two = converge(
+            folder.path(),
+            &[name, "--replicates", "2", "--doublings", "3"],
+        );
+        assert!(!two.contains("unknown"), "{two}");
+    }
+}

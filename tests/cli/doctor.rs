@@ -99,6 +99,33 @@ fn the_answer_is_in_sentences() {
 }
 
 #[test]
+fn a_reading_of_one_digit_is_told_to_be_one_and_one_below_zero_has_the_wrong_sign() {
+    let text = doctor(&["--reading", "1", "--space", "solid"]);
+    let first = text.lines().next().unwrap();
+    assert!(
+        first.starts_with("The right estimator reads this, and so do "),
+        "{text}"
+    );
+    assert!(first.contains("measure with more of them"), "{text}");
+    let z: Vec<f64> = text
+        .split("(z ")
+        .skip(1)
+        .map(|rest| rest.split(')').next().unwrap().parse().unwrap())
+        .collect();
+    assert!(z.len() > 4 && z.is_sorted(), "{z:?}");
+    assert!(!text.contains("bounce(s)"), "{text}");
+    for (value, space) in [("-1", "solid"), ("-0.32", "flat"), ("-0.7854", "solid")] {
+        let text = doctor(&["--reading", value, "--space", space]);
+        let sign =
+            format!("A white sky reads 0 or more, and {value} is below: look for a wrong sign");
+        assert!(text.starts_with(&sign), "{text}");
+        assert!(!text.contains("printed formula over pi"), "{text}");
+    }
+    let three = doctor(&["--reading", "1.000", "--space", "solid"]);
+    assert!(!three.contains("A white sky reads 0 or more"), "{three}");
+}
+
+#[test]
 fn two_readings_say_more_than_one() {
     let healthy = |more: &[&str]| {
         let text = doctor(&[&["--space", "flat", "--json", "--reading", "1.0000"], more].concat());
@@ -150,6 +177,8 @@ fn bad_values_end_with_2() {
         (&["--reading", "pi"][..], "a finite number is needed"),
         (&["--reading", "NaN"], "a finite number is needed"),
         (&["--error", "0"], "a standard error is above 0"),
+        (&["--error", "-1"], "a standard error is above 0"),
+        (&["--tilt", "-30"], "a tilt is from 0 to 90 degrees"),
         (&["--albedo", "1.5"], "an albedo is from 0 to 1"),
         (&["--tilt", "91"], "a tilt is from 0 to 90 degrees"),
         (&["--samples", "0"], "--samples"),
@@ -157,7 +186,7 @@ fn bad_values_end_with_2() {
         (&["--space", "curved"], "--space"),
         (
             &["--tilt", "1", "--tilt", "2"],
-            "--tilt is given 2 times for 1 reading(s)",
+            "--tilt is given 2 times for 1 reading: give it once",
         ),
     ] {
         let output = halfdisk(folder().path(), &[&asked, more].concat());

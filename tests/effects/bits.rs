@@ -178,6 +178,17 @@ fn one_effect_more_is_one_flag_more() {
         lamp_and("", &caustic),
         [AreaLights, Diffuse, Specular, Bleeding, Caustics]
     );
+    // What is closed may light itself from within, the lamp too; a sky is light that can be met.
+    let glowing = LAMP.replace("emits = 9", "emits = 9\nmaterial = 'half'");
+    assert_eq!(
+        effects(&scene("", &glowing)),
+        [AreaLights, Diffuse, Bleeding]
+    );
+    let under_the_sky = "[environment]\nradiance = 1\n".to_owned() + &caustic;
+    assert_eq!(
+        effects(&scene("", &under_the_sky)),
+        [Sky, Diffuse, Specular, Bleeding, Caustics]
+    );
     let by_a_point = effects(&scene("", &(POINT.to_owned() + &caustic)));
     assert_eq!(by_a_point, [PointLights, Diffuse, Specular, Bleeding]);
     // Without light nothing is called for.

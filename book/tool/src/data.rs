@@ -63,13 +63,24 @@ pub struct Ledger {
     pub seconds: f64,
     /// Variance of the estimate.
     pub variance: Option<f64>,
-    /// Distance from the truth, in standard errors.
-    pub bias_in_errors: Option<f64>,
+    /// How far its results are from known truths, where there are any.
+    pub compared: Option<Compared>,
     /// One over variance times seconds.
     pub efficiency: Option<f64>,
     /// The same in a sentence.
     #[serde(default)]
     pub gain: String,
+}
+
+/// The largest of several distances from known truths.
+#[derive(Debug, Deserialize)]
+pub struct Compared {
+    /// The largest, in standard errors; none where it is without end, for which JSON has no word.
+    pub largest_z: Option<f64>,
+    /// Of so many.
+    pub comparisons: f64,
+    /// What the largest of so many exceeds by chance once in a thousand runs.
+    pub surprising: f64,
 }
 
 impl Run {

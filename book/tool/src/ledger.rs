@@ -2,7 +2,7 @@
 
 use std::path::{Path, PathBuf};
 
-use crate::data::{Ledger, REMEDY, Run};
+use crate::data::{Compared, Ledger, REMEDY, Run};
 use crate::digits::{ERROR_DIGITS, plain, significant};
 use crate::markup::escape;
 
@@ -42,8 +42,8 @@ pub fn expand(
     }
     Ok(format!(
         "<div class=\"table-wrapper\"><table class=\"ledger\"><thead><tr><th>Chapter</th>\
-         <th>Rays</th><th>Seconds</th><th>Variance</th><th>Bias in standard errors</th>\
-         <th>Efficiency</th></tr></thead><tbody>{rows}</tbody></table></div>"
+         <th>Rays</th><th>Seconds</th><th>Variance</th><th>Largest |z|, of how many</th>\
+         <th>Surprising from</th><th>Efficiency</th></tr></thead><tbody>{rows}</tbody></table></div>"
     ))
 }
 
@@ -55,7 +55,8 @@ fn row(name: &str, ledger: &Ledger) -> String {
         plain(ledger.rays),
         significant(ledger.seconds, DIGITS),
         measured(ledger.variance, DIGITS),
-        measured(ledger.bias_in_errors, ERROR_DIGITS),
+        (ledger.compared.as_ref()).map_or(NOTHING.to_string(), of_how_many),
+        measured(ledger.compared.as_ref().map(|c| c.surprising), ERROR_DIGITS),
         measured(ledger.efficiency, DIGITS),
     ];
     let gain = escape(&ledger.gain);
@@ -63,6 +64,15 @@ fn row(name: &str, ledger: &Ledger) -> String {
         "<tr><td>{name}<p>{gain}</p></td><td>{}</td></tr>",
         cells.join("</td><td>")
     )
+}
+
+/// The largest |z| beside the number of comparisons, without which it says nothing.
+fn of_how_many(compared: &Compared) -> String {
+    let largest = match compared.largest_z {
+        Some(z) => significant(z, DIGITS),
+        None => "∞".to_string(),
+    };
+    format!("{largest} of {}", plain(compared.comparisons))
 }
 
 /// The chapter's name, linked if the book has a page `key.md` or `key-….md`.
@@ -101,7 +111,7 @@ mod tests {
             html.contains(
                 "<tr><td><a href=\"ch01.md\">1. From the &lt;eye&gt;</a>\
                  <p>Twice the time &amp; a quarter of the noise.</p></td><td>2 000 000</td>\
-                 <td>1.25</td><td>–</td><td>−0.7</td><td>65</td></tr>"
+                 <td>1.25</td><td>–</td><td>2.8 of 24</td><td>4.1</td><td>65</td></tr>"
             ),
             "{html}"
         );

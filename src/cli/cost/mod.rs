@@ -6,7 +6,7 @@ mod text;
 use super::render::size;
 use super::{Stop, answer, use_threads};
 use crate::chart::{Against, ChartError, cost_chart};
-use crate::desk::{Bar, on_ctrl_c};
+use crate::desk::{Bar, on_ctrl_c, whole};
 use crate::experiment::cost::strip::{Shown, affordable, needed, show};
 use crate::experiment::cost::{
     ALL, BASE, Budget, Design, Measured, Method, Nothing, PriceList, Priced, Verdict, measure,
@@ -33,20 +33,20 @@ pub struct Cost {
     methods: Vec<String>,
     /// Independent pictures of each method at each size
     #[arg(long, default_value_t = Design::default().replicates,
-        value_parser = clap::value_parser!(u32).range(1..=1000))]
+        allow_negative_numbers = true, value_parser = whole(1_u32..=1000))]
     replicates: u32,
     /// Seconds for all of it, about
-    #[arg(long, default_value_t = 120.0, value_name = "SECONDS", value_parser = budget)]
+    #[arg(long, default_value_t = 120.0, value_name = "SECONDS", allow_negative_numbers = true, value_parser = budget)]
     budget: f64,
     /// Image size in pixels for the measurement, such as 96x64 [default: the scene's shape, 64 pixels
     /// at its longer side]
     #[arg(long, value_name = "WxH", value_parser = size)]
     size: Option<[u32; 2]>,
     /// Seed of all random numbers
-    #[arg(long, default_value_t = Design::default().seed)]
+    #[arg(long, default_value_t = Design::default().seed, allow_negative_numbers = true, value_parser = whole(0..=u64::MAX))]
     seed: u64,
     /// Threads for the pictures that are timed
-    #[arg(long, default_value_t = 1, value_parser = clap::value_parser!(u16).range(1..=1024))]
+    #[arg(long, default_value_t = 1, allow_negative_numbers = true, value_parser = whole(1_u16..=1024))]
     threads: u16,
     /// Folder for the page, the charts and the numbers [default: out/cost/SCENE]
     #[arg(long, value_name = "DIR")]

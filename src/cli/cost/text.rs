@@ -1,6 +1,7 @@
 //! The price list as text: for people, and as CSV.
 
 use super::Report;
+use crate::effects::plan::count;
 use crate::experiment::cost::{PriceList, Priced, Reach, TARGETS, Verdict};
 use crate::stats::price::Ratio;
 use std::fmt::Write as _;
@@ -10,9 +11,9 @@ pub(super) fn table(report: &Report) -> String {
     let list = &report.list;
     let [w, h] = list.size;
     let mut text = format!(
-        "{}, {w} x {h}, {} replicates; the reference is {:.3} % off\n\n",
+        "{}, {w} x {h}, {}; the reference is {:.3} % off\n\n",
         list.scene,
-        list.replicates,
+        count(list.replicates as usize, "replicate", "replicates"),
         100.0 * list.reference_error
     );
     let _ = writeln!(
@@ -76,8 +77,9 @@ pub(super) fn table(report: &Report) -> String {
     for method in list.methods.iter().filter(|m| m.non_finite > 0) {
         let _ = writeln!(
             text,
-            "warning: {} samples of {} were not finite",
-            method.non_finite, method.name
+            "warning: {}: {} not finite",
+            method.name,
+            count(method.non_finite as usize, "sample is", "samples are")
         );
     }
     text

@@ -31,7 +31,7 @@ pub(super) fn list(worlds: &[Dimension], json: bool) -> Result<(), Stop> {
         return answer(&(serde_json::to_string_pretty(&entries)? + "\n"));
     }
     let texts: Vec<String> = worlds.map(|(world, rows)| table(world, &rows)).collect();
-    answer(&texts.join("\n"))
+    answer(&super::for_terminal(&texts.join("\n")))
 }
 
 fn rows(world: Dimension) -> Vec<Row> {
@@ -67,8 +67,9 @@ fn table(world: Dimension, rows: &[Row]) -> String {
         Dimension::Solid => "Space: the hemisphere",
     };
     let mut text = format!(
-        "{name}\nWhite sky, albedo 1, 16 directions, upright, unless another question is needed to \
-         reveal it.\n\n{:<33} {:>8}   {:<20} {:>5}  asked with\n",
+        "{name}\nWhite sky, albedo 1, 16 directions, upright, one bounce, shadow rays that see; what a \
+         mistake has\nto be asked otherwise to show is under `asked with`. z is the distance of measured \
+         from exact, in standard\nerrors.\n\n{:<33} {:>8}   {:<20} {:>5}  asked with\n",
         "variant", "exact", "measured ± error", "z"
     );
     for Row {

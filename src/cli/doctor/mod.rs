@@ -4,11 +4,13 @@ mod list;
 mod typed;
 
 use super::{Stop, answer};
+use crate::desk::whole;
 use crate::estimators::doctor::{Diagnosis, Reading, diagnose};
 use crate::estimators::mistakes::Exam;
 use crate::space::Dimension;
 use clap::{Args, ValueEnum};
 use serde_json::{Value, json};
+use std::io::IsTerminal;
 use typed::{Typed, albedo, error, tilt};
 
 /// Name the mistake behind a wrong reading, or list the mistakes.
@@ -30,19 +32,19 @@ pub struct Doctor {
     #[arg(long, value_enum)]
     space: Option<World>,
     /// Standard error of the reading [default: half a unit of its last digit]
-    #[arg(long, requires = "reading", value_parser = error)]
+    #[arg(long, requires = "reading", allow_negative_numbers = true, value_parser = error)]
     error: Vec<f64>,
     /// Albedo of the surface [default: 1]
-    #[arg(long, requires = "reading", value_parser = albedo)]
+    #[arg(long, requires = "reading", allow_negative_numbers = true, value_parser = albedo)]
     albedo: Vec<f32>,
     /// Directions of each gather [default: 16]
-    #[arg(long, requires = "reading", value_parser = clap::value_parser!(u32).range(1..))]
+    #[arg(long, requires = "reading", allow_negative_numbers = true, value_parser = whole(1_u32..=u32::MAX))]
     samples: Vec<u32>,
     /// Tilt of the surface, from 0 to 90 degrees [default: 0]
-    #[arg(long, requires = "reading", value_name = "DEGREES", value_parser = tilt)]
+    #[arg(long, requires = "reading", value_name = "DEGREES", allow_negative_numbers = true, value_parser = tilt)]
     tilt: Vec<f32>,
     /// How often the light was reflected [default: 1]
-    #[arg(long, requires = "reading", value_parser = clap::value_parser!(u32).range(1..=1000))]
+    #[arg(long, requires = "reading", allow_negative_numbers = true, value_parser = whole(1_u32..=1000))]
     bounces: Vec<u32>,
     /// Whether shadow rays find the sky [default: seeing]
     #[arg(long, requires = "reading", value_enum)]
@@ -103,7 +105,7 @@ impl Doctor {
                     let object = as_json(&diagnosis);
                     return answer(&(serde_json::to_string_pretty(&object)? + "\n"));
                 }
-                answer(&diagnosis.explain())
+                answer(&for_terminal(&diagnosis.explain()))
             }
             (Some(world), true) => list::list(&[world.into()], self.json),
             (None, _) => list::list(&[Dimension::Flat, Dimension::Solid], self.json),
@@ -132,6 +134,19 @@ impl Doctor {
     }
 }
 
+/// The widest text that is easy to read.
+const WIDEST: usize = 100;
+
+/// Lines as wide as the terminal, if it is one that reads; else as they are.
+fn for_terminal(text: &str) -> String {
+    if !std::io::stdout().is_terminal() {
+        return text.to_owned();
+    }
+    let width = textwrap::termwidth().min(WIDEST);
+    let options = textwrap::Options::new(width).subsequent_indent("    ");
+    textwrap::wrap(text.trim_end(), options).join("\n") + "\n"
+}
+
 /// The value of an option for the reading at place `i`: its own, or the one given for all.
 fn each<T: Copy>(option: &str, given: &[T], i: usize, count: usize) -> Result<Option<T>, Stop> {
     match given {
@@ -139,9 +154,10 @@ fn each<T: Copy>(option: &str, given: &[T], i: usize, count: usize) -> Result<Op
         [one] => Ok(Some(*one)),
         _ if given.len() == count => Ok(Some(given[i])),
         _ => Err(Stop::Input(format!(
-            "{option} is given {} times for {count} reading(s): give it once for all, or once for \
+            "{option} is given {} times for {count} reading{}: give it once for all, or once for \
              each",
-            given.len()
+            given.len(),
+            if count == 1 { "" } else { "s" }
         ))),
     }
 }

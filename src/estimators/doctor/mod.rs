@@ -79,7 +79,12 @@ pub fn diagnose(dimension: Dimension, readings: &[Reading]) -> Diagnosis {
 
 fn distance(variant: &Variant, readings: &[Reading]) -> f64 {
     let z = |r: &Reading| {
-        let off = (r.value - variant.reading(&r.exam)).abs();
+        let exact = variant.reading(&r.exam);
+        // A mean of what is never below zero is not below zero, however uncertain it is.
+        if r.value < -RESOLUTION && exact > RESOLUTION {
+            return f64::INFINITY;
+        }
+        let off = (r.value - exact).abs();
         let error = r.error.max(RESOLUTION * r.value.abs().max(1.0));
         // A reading that is no number is far from everything.
         if off.is_finite() {
@@ -103,20 +108,49 @@ impl Diagnosis {
         self.matches().iter().any(|f| f.variant.name == "right")
     }
 
+    /// How many fit, where it is more than a few.
+    fn headline(&self) -> String {
+        let fit = self.matches().len();
+        if fit < 4 {
+            return String::new();
+        }
+        let (how_many, what) = match self.healthy() {
+            true => (
+                fit - 1,
+                "The right estimator reads this, and so do {} mistakes",
+            ),
+            false => (fit, "{} mistakes read this"),
+        };
+        format!(
+            "{}, as far as these digits tell: measure with more of them. The closest comes first; z is its \
+             distance in standard errors, at most 4.\n",
+            what.replace("{}", &how_many.to_string())
+        )
+    }
+
     /// What the readings say, in sentences, and how to tell matches apart.
     pub fn explain(&self) -> String {
         let mut text = String::new();
+        let below = |r: &&Reading| r.value + r.error < 0.0;
+        if let Some(reading) = self.readings.iter().find(below) {
+            let _ = writeln!(
+                text,
+                "A white sky reads 0 or more, and {} is below: look for a wrong sign first.",
+                reading.value
+            );
+        }
         let Some((first, others)) = self.matches().split_first() else {
-            if let Some(nearest) = self.findings.first() {
-                let Finding { variant, z } = nearest;
-                text = format!(
+            text += &match self.findings.first() {
+                Some(Finding { variant, z }) if z.is_finite() => format!(
                     "No mistake on the list reads this; the nearest is {z:.1} standard errors \
                      away: {}.\n",
                     variant.name
-                );
-            }
+                ),
+                _ => "No mistake on the list reads this.\n".to_owned(),
+            };
             return text;
         };
+        text += &self.headline();
         let Finding { variant, z } = first;
         let _ = writeln!(
             text,
@@ -173,12 +207,13 @@ pub fn question(a: &Variant, b: &Variant) -> Option<Exam> {
 fn tell_apart(a: &Variant, b: &Variant) -> String {
     match question(a, b) {
         Some(exam) => format!(
-            "To tell: with albedo {}, {} samples, a tilt of {:.0} degrees, {} bounce(s) and {} \
+            "To tell: with albedo {}, {} samples, a tilt of {:.0} degrees, {} bounce{} and {} \
              shadow rays the first reads {:.4} and this one {:.4}.",
             exam.albedo,
             exam.samples,
             exam.tilt.to_degrees(),
             exam.bounces,
+            if exam.bounces == 1 { "" } else { "s" },
             if exam.aimed { "seeing" } else { "blind" },
             a.reading(&exam),
             b.reading(&exam)

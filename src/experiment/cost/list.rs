@@ -1,6 +1,6 @@
 //! The price list: what was measured, as statements.
 
-use super::bias::Bias;
+use super::bias::{Bias, Floor};
 use super::method::BASE;
 use super::runs::{Measured, Run, Runs};
 use super::size::{Size, Verdict};
@@ -56,6 +56,8 @@ pub struct Priced {
     pub may_be_biased: Option<&'static str>,
     /// How far its expectation is from the truth; `None` below two replicates.
     pub bias: Option<Bias>,
+    /// Where its error levels out; `None` where it is not known to.
+    pub levels_out: Option<Floor>,
     /// What each of [`TARGETS`] costs.
     pub times: Vec<Reach>,
     /// The time it needs for the same error, in times of that of each method in the list, by seconds;
@@ -146,6 +148,10 @@ fn priced(runs: &Runs, measured: &Measured) -> Priced {
     let bias = runs.sums.bias(measured.truth(&runs.method));
     let sizes: Vec<Size> = (0..runs.spp.len()).map(|k| size(runs, k)).collect();
     let verdict = verdict(&against_rays, bias, runs.method.is_independent());
+    // The error of the largest pictures, and two of its own errors more.
+    let most_off = sizes
+        .last()
+        .map_or(f64::INFINITY, |s| s.error + 2.0 * s.error_error);
     let mut counts = RayCounts::default();
     runs.runs
         .iter()
@@ -171,6 +177,9 @@ fn priced(runs: &Runs, measured: &Measured) -> Priced {
         verdict,
         may_be_biased: runs.method.may_be_biased,
         bias,
+        levels_out: bias
+            .filter(|_| verdict == Verdict::Biased)
+            .map(|bias| bias.levels_out().at_most(most_off)),
         ratios: Vec::new(),
         ray_ratios: Vec::new(),
         non_finite: runs.runs.iter().flatten().map(|run| run.non_finite).sum(),
@@ -180,7 +189,6 @@ fn priced(runs: &Runs, measured: &Measured) -> Priced {
 fn size(runs: &Runs, k: usize) -> Size {
     let of = |f: fn(&Run) -> f64| runs.runs.iter().map(move |row| f(&row[k]));
     let square: Estimate = of(|run| run.square).collect();
-    let error = square.mean().max(0.0).sqrt();
     let mut sorted: Vec<f64> = of(seconds).collect();
     sorted.sort_by(f64::total_cmp);
     let at = |share: f64| sorted[(share * (sorted.len() - 1) as f64).round() as usize];
@@ -192,14 +200,20 @@ fn size(runs: &Runs, k: usize) -> Size {
         seconds: at(0.5),
         mean_seconds: of(seconds).collect::<Estimate>().mean(),
         spread: at(0.75) - at(0.25),
-        error,
+        error: square.mean().max(0.0).sqrt(),
         // The square root's error to first order.
-        error_error: if error > 0.0 {
-            square.std_error() / (2.0 * error)
-        } else {
-            0.0
-        },
+        error_error: root_error(&square),
         top_share: of(|run| run.top_share).collect::<Estimate>().mean(),
+    }
+}
+
+/// The standard error of the root of a mean, to first order; unknown of one value alone.
+fn root_error(square: &Estimate) -> f64 {
+    let root = square.mean().max(0.0).sqrt();
+    if square.count() > 1 && root == 0.0 {
+        0.0
+    } else {
+        square.std_error() / (2.0 * root)
     }
 }
 
@@ -220,9 +234,9 @@ impl Priced {
     pub fn says(&self) -> String {
         match (self.verdict, &self.against_rays) {
             (Verdict::Biased, _) => {
-                let floor = self.bias.map_or(0.0, |bias| 100.0 * bias.floor());
                 let why = self.may_be_biased.unwrap_or("and no reason is known");
-                format!("biased: levels out at {floor:.2} %; {why}")
+                let floor = self.levels_out.map_or_else(String::new, |f| f.to_string());
+                format!("biased: levels out {floor}; {why}")
             }
             (Verdict::Sufficient, Ok(fit)) => format!("{fit}, sufficient"),
             (Verdict::Faster, Ok(fit)) => format!("{fit}, as even points do"),

@@ -4,16 +4,15 @@
 //! * [`plan`](Design): how many samples each takes;
 //! * [`runs`](measure): independent pictures, in turns;
 //! * [`reference`](Reference): the truth, whose own noise counts for nobody;
-//! * [`bias`](Bias): the error that stays;
+//! * [`bias`](Bias): the error that stays, and where it [levels out](Floor);
 //! * [`strip`]: pictures side by side;
 //! * [`size`](Size): what pictures of one size give;
 //! * [`list`](PriceList), [`target`](Reach): slopes, ratios and times, with intervals or a word that
 //!   there is none.
 //!
-//! Errors are relative: the root of the mean over pixels and channels of `(x - t)² / (t² + (m/3)²)`,
-//! where `t` is the truth and `m` the mean of the picture. That counts each pixel by itself, so that a
-//! small picture tells what a large one costs; [`accuracy`](crate::render::accuracy), which has no truth
-//! to look at, counts a pixel by what is around it.
+//! Errors are the relative errors of [`accuracy`](crate::render::accuracy). What is measured in a small
+//! picture is what a large one costs for each pixel, but for this: the 9 x 9 pixels that an error is
+//! relative to are a larger part of a small picture.
 //!
 //! Sources: Celarek, Jakob, Wimmer, Lehtinen, Quantifying the Error of Light Transport Algorithms
 //! (Computer Graphics Forum 38(4), 2019), for many short renders; Whittle, Jones, Mantiuk, Analysis of
@@ -29,7 +28,7 @@ mod size;
 pub mod strip;
 mod target;
 
-pub use bias::Bias;
+pub use bias::{Bias, Floor};
 pub use list::{PerSample, PriceList, Priced, TARGETS};
 pub use method::{ALL, BASE, CLAMP, Method};
 pub use plan::{Budget, Design, Planned};

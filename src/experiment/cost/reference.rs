@@ -4,6 +4,7 @@
 //! estimate's error. The product of the differences from two independent references does not: its
 //! expectation is the squared distance from the truth, whatever their noise.
 
+use crate::render::accuracy::Scale;
 use crate::render::{Film, Picture};
 use crate::stats::Estimate;
 
@@ -14,8 +15,8 @@ pub struct Reference {
     pub halves: [Picture; 2],
     /// Their mean, without errors.
     pub picture: Picture,
-    /// The square of what errors in each pixel and channel are relative to.
-    scale: Vec<[f64; 3]>,
+    /// What errors of each pixel are relative to.
+    scale: Scale,
     /// Samples per pixel of each half.
     pub spp: u32,
 }
@@ -32,7 +33,7 @@ impl Reference {
             errors: None,
         };
         Reference {
-            scale: scale(&picture),
+            scale: Scale::of(&picture),
             halves,
             picture,
             spp,
@@ -41,7 +42,7 @@ impl Reference {
 
     // ANCHOR: squares
     /// Squared relative distances from the truth, without bias: for each pixel the mean over its
-    /// channels of `(x - a)(x - b)` with the halves `a` and `b`, over the squared scale.
+    /// channels of `(x - a)(x - b)` with the halves `a` and `b`, over the squared brightness around it.
     pub fn squares(&self, film: &Film) -> Vec<f64> {
         let values = film.pixels().iter().map(|p| p.mean().unwrap_or([0.0; 3]));
         values
@@ -58,14 +59,10 @@ impl Reference {
         self.relative(i, |c| (x[c] - a[c]) * (y[c] - b[c]))
     }
 
-    /// The mean over channels of squares in pixel `i`, relative. What is black and has no error has no
-    /// relative one.
+    /// The mean over channels of squares in pixel `i`, relative.
     fn relative(&self, i: usize, square: impl Fn(usize) -> f64) -> f64 {
-        let channel = |c: usize| match square(c) {
-            0.0 => 0.0,
-            square => square / self.scale[i][c],
-        };
-        (channel(0) + channel(1) + channel(2)) / 3.0
+        self.scale
+            .relative(i, (square(0) + square(1) + square(2)) / 3.0)
     }
 
     /// For each pixel the samples it takes for a relative error, from the variances in a film of
@@ -75,6 +72,16 @@ impl Reference {
         pixels
             .map(|(i, p)| self.relative(i, |c| p.channels[c].variance()) / (error * error))
             .collect()
+    }
+
+    /// The mean of the picture over the root mean square of what errors are relative to.
+    pub(super) fn evenness(&self) -> f64 {
+        let scale = self.scale.root_mean_square();
+        if scale > 0.0 {
+            self.picture.mean().0 / scale
+        } else {
+            0.0
+        }
     }
 
     /// The signed difference of the halves in pixel `i`, mean over channels.
@@ -95,62 +102,75 @@ impl Reference {
     }
 }
 
-/// What errors are relative to, squared: the value itself, and where it is dark a third of the mean
-/// of the picture, so that black does not count without bound.
-fn scale(picture: &Picture) -> Vec<[f64; 3]> {
-    let third = picture.mean().0 / 3.0;
-    let channel = |x: f64| x * x + third * third;
-    picture.values.iter().map(|v| v.map(channel)).collect()
+/// A grey film of 64 x 64 pixels with `spp` samples in each, uniform within 1/2 of `mean`.
+#[cfg(test)]
+pub(super) fn film_of(seed: u64, spp: u32, mean: f64) -> Film {
+    use crate::render::Pixel;
+    use crate::sampling::stream::{Purpose, Stream};
+    let pixel = |i| {
+        let mut u = Stream::new(seed, i, 0).at(0, Purpose::Pixel);
+        let e: Estimate = (0..spp).map(|_| mean - 0.5 + f64::from(u.one())).collect();
+        Pixel {
+            channels: [e; 3],
+            ..Pixel::default()
+        }
+    };
+    Film::new(64, (0..4096).map(pixel).collect())
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::render::Pixel;
     use crate::render::compare;
-    use crate::sampling::stream::{Purpose, Stream};
-    use crate::stats::z_test::{FOUR, z_test};
 
-    /// A grey film of `spp` samples of mean 1/2 and variance 1/12 in each pixel.
     fn film(seed: u64, spp: u32) -> Film {
-        let pixel = |i| {
-            let mut u = Stream::new(seed, i, 0).at(0, Purpose::Pixel);
-            let e: Estimate = (0..spp).map(|_| f64::from(u.one())).collect();
-            Pixel {
-                channels: [e; 3],
-                ..Pixel::default()
-            }
-        };
-        Film::new(256, (0..256 * 256).map(pixel).collect())
+        film_of(seed, spp, 0.5)
     }
 
+    /// Level: four standard errors, one in 15 787. It sees errors of the square of 5 %; the plain square
+    /// would be 50 % too large.
     #[test]
     fn a_poor_reference_adds_nothing_to_the_error() {
-        // As many samples as the estimate has: the plain square would read half as much again.
-        const SPP: u32 = 64;
-        let variance = 1.0 / 12.0 / f64::from(SPP);
-        let reference = Reference::new(&film(1, SPP), &film(2, SPP), SPP);
-        let squares: Estimate = reference.squares(&film(3, SPP)).into_iter().collect();
-        // The inverse of what it is relative to is larger in the mean where the reference is noisy.
-        let inverse: Estimate = reference.scale.iter().map(|s| 1.0 / s[0]).collect();
-        // At a level of 6e-5 a bias of 5 % is noticed; that of a scale which is noisy, too, is 0.6 %.
-        let expected = variance * inverse.mean();
-        let test = z_test(&squares, expected, FOUR);
-        assert!(test.passes(), "{} for {expected}: {test}", squares.mean());
-        assert!(test.detects < 0.05 * expected, "{test}");
+        let mut ratio = Estimate::new();
+        for k in 0..16 {
+            // As many samples as the estimate has.
+            let reference = Reference::new(&film(3 * k + 1, 8), &film(3 * k + 2, 8), 8);
+            let found = reference.squares(&film(3 * k + 3, 8));
+            for (i, square) in found.into_iter().enumerate() {
+                let expected = reference.relative(i, |_| 1.0 / 12.0 / 8.0);
+                ratio.add(square / expected);
+            }
+        }
+        let (off, error) = (ratio.mean() - 1.0, ratio.std_error());
+        assert!(off.abs() < 4.0 * error && error < 0.01, "{off} ± {error}");
         // The plain square counts the reference's noise, half as large as the estimate's.
-        let plain = compare::mse(&film(3, SPP).picture(), &reference.picture) / variance;
-        assert!((plain - 1.5).abs() < 0.05, "{plain}");
+        let reference = Reference::new(&film(1, 8), &film(2, 8), 8);
+        let plain = compare::mse(&film(3, 8).picture(), &reference.picture);
+        assert!(plain > 1.4 / 12.0 / 8.0, "{plain}");
     }
 
     #[test]
     fn a_reference_knows_its_own_error() {
         let reference = Reference::new(&film(1, 64), &film(2, 64), 64);
-        let expected = libm::sqrt(1.0 / 12.0 / 128.0 / (0.25 + 0.25 / 9.0));
+        let expected = libm::sqrt(1.0 / 12.0 / 128.0 / 0.25);
         assert!(
             (reference.error() / expected - 1.0).abs() < 0.05,
             "{}",
             reference.error()
         );
+    }
+
+    #[test]
+    fn the_relative_error_is_that_of_every_picture() {
+        use crate::render::accuracy::{Measure, true_error};
+        // Where both halves are the truth itself, the product of differences is the square.
+        let (film, truth) = (film(1, 8), film_of(2, 512, 0.7));
+        let squares = Reference::new(&truth, &truth, 512).squares(&film);
+        let root = squares.into_iter().collect::<Estimate>().mean().sqrt();
+        let measure = Measure::RootMeanSquare;
+        let same = true_error(&film.picture(), &truth.picture(), measure);
+        assert!((root / same - 1.0).abs() < 1e-12, "{root} {same}");
+        let squared = compare::rel_mse(&film.picture(), &truth.picture());
+        assert!((squared.sqrt() / same - 1.0).abs() < 1e-12);
     }
 }

@@ -4,8 +4,10 @@ use super::bias::Sums;
 use super::method::{self, BASE, Method};
 use super::plan::{Design, Planned, plan};
 use super::reference::Reference;
+use crate::render::accuracy::top_share;
 use crate::render::{Progress, Rendered};
 use crate::scene::{RayCounts, Scene};
+use crate::stats::Estimate;
 use std::sync::Mutex;
 
 /// What a picture cost, and how wrong it is: the mean of up to eight of a size.
@@ -205,13 +207,9 @@ fn order(r: u32, count: usize) -> Vec<usize> {
 }
 
 fn run_of(rendered: &Rendered, squares: &[f64]) -> Run {
-    let mut sorted = squares.to_vec();
-    sorted.sort_by(|a, b| b.total_cmp(a));
-    let total: f64 = sorted.iter().sum();
-    let top: f64 = sorted[..sorted.len().div_ceil(1000)].iter().sum();
     Run {
-        square: total / squares.len() as f64,
-        top_share: if total > 0.0 { top / total } else { 0.0 },
+        square: squares.iter().copied().collect::<Estimate>().mean(),
+        top_share: top_share(squares.to_vec()),
         seconds: rendered.time.as_secs_f64(),
         rays: rendered.rays,
         non_finite: rendered.non_finite,

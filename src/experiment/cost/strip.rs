@@ -4,6 +4,7 @@ use super::list::Priced;
 use super::method::Method;
 use super::runs::{Measured, Runs};
 use super::size::Verdict;
+use crate::render::accuracy::Scale;
 use crate::render::{Film, Picture, Pixel, Progress};
 use crate::scene::Scene;
 use crate::stats::Estimate;
@@ -65,7 +66,7 @@ pub fn needed(priced: &Priced, runs: &Runs, error: f64) -> Option<u32> {
     let square = last.map(|run| run.square).collect::<Estimate>().mean();
     let spp = f64::from(*runs.spp.last()?);
     let stays = match priced.verdict {
-        Verdict::Biased => priced.bias?.square,
+        Verdict::Biased => priced.bias?.square.max(0.0),
         _ => 0.0,
     };
     let left = error * error - stays;
@@ -74,15 +75,12 @@ pub fn needed(priced: &Priced, runs: &Runs, error: f64) -> Option<u32> {
 }
 
 /// What is too bright in red, what is too dark in blue; full colour at an error of one half of the
-/// truth, white for none.
+/// brightness around, white for none.
 pub fn signed(film: &Film, truth: &Picture) -> Film {
-    let third = truth.mean().0 / 3.0;
-    let colour = |(pixel, truth): (&Pixel, &[f64; 3])| {
+    let scale = Scale::of(truth);
+    let colour = |(i, (pixel, truth)): (usize, (&Pixel, &[f64; 3]))| {
         let mean = pixel.mean().unwrap_or([0.0; 3]);
-        let (sum, size) = (0..3).fold((0.0, 0.0), |(sum, size), c| {
-            (sum + mean[c] - truth[c], size + truth[c].hypot(third))
-        });
-        let off = if sum == 0.0 { 0.0 } else { sum / size };
+        let off = scale.signed(i, (0..3).map(|c| mean[c] - truth[c]).sum::<f64>() / 3.0);
         let fade = 1.0 - (2.0 * off.abs()).min(1.0);
         let channels = match off > 0.0 {
             true => [1.0, fade, fade],
@@ -93,7 +91,7 @@ pub fn signed(film: &Film, truth: &Picture) -> Film {
             ..Pixel::default()
         }
     };
-    let pixels = film.pixels().iter().zip(&truth.values);
+    let pixels = film.pixels().iter().zip(&truth.values).enumerate();
     let pixels = pixels.map(colour).collect();
     Film::new(film.width(), pixels)
 }

@@ -35,7 +35,7 @@ pub enum Reach {
         /// Seconds.
         seconds: f64,
     },
-    /// Never: it levels out above.
+    /// Never: it levels out above, beyond doubt.
     Never,
 }
 
@@ -136,6 +136,7 @@ mod tests {
             error: 0.0001,
             mean: -0.01,
             mean_error: 0.001,
+            evenness: 0.5,
         });
         let at = |target| reach(target, &sizes(), &PAID, Verdict::Biased, bias);
         assert_eq!(at(0.02), Reach::Never);
