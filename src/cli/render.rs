@@ -4,8 +4,8 @@ use super::demand::{Demand, bias_json, bias_line};
 use super::maps::Maps;
 use super::report::{as_json, report};
 use super::stop::{self, Ending};
-use super::{Stop, answer, use_threads};
-use crate::desk::{Bar, on_ctrl_c};
+use super::{Stop, answer, stem, use_threads};
+use crate::desk::{Bar, on_ctrl_c, tell};
 use crate::effects::{measure::Setup, plan};
 use crate::integrators::{
     Albedo, Depth, Integrator, Named, Normals, Path as PathTracer, Restricted, Whitted,
@@ -18,6 +18,7 @@ use crate::scene::{Scene, build::film_size, field::Field};
 use clap::{Args, ValueEnum};
 use serde_json::json;
 use std::path::PathBuf;
+use std::sync::atomic::Ordering;
 
 /// Render a scene.
 ///
@@ -50,7 +51,8 @@ pub struct Render {
     #[arg(long, value_parser = clap::value_parser!(u16).range(1..=1024))]
     threads: Option<u16>,
     /// The picture: .png for screens, .exr with errors and sample counts, .hdr
-    /// [default: out/SCENE.png]
+    /// [default: out/SCENE.png, or such as out/SCENE-normals.png by another integrator than path,
+    /// SCENE being the name of the scene's file]
     #[arg(long, value_name = "FILE")]
     out: Option<PathBuf>,
     #[command(flatten)]
@@ -135,7 +137,7 @@ pub(super) fn size(text: &str) -> Result<[u32; 2], String> {
 impl Render {
     pub(super) fn run(self) -> Result<(), Stop> {
         if cfg!(debug_assertions) && !self.quiet {
-            eprintln!("note: built for development; `cargo run --release` is several times faster");
+            tell("note: built for development; `cargo run --release` is several times faster");
         }
         let Setup { mut scene, wanted } = self.demand.load(&self.scene, |description| {
             if let Some(size) = self.size {
@@ -153,14 +155,17 @@ impl Render {
         }
         let max_depth = self.max_depth(&scene)?;
         // Checked before any work, so that none is lost to a misspelt name or a closed folder.
-        let path = self.path(&scene);
-        output::prepare(&path)?;
+        let path = self.path();
+        output::prepare(&path, &scene)?;
         use_threads(self.threads)?;
 
         if !self.quiet
             && let Some(lost) = plan::plan(&scene).out_of_reach
         {
-            eprintln!("note: {} is out of reach: {}", lost.paths, lost.reason);
+            tell(format_args!(
+                "note: {} is out of reach: {}",
+                lost.paths, lost.reason
+            ));
         }
         let light = |named: Named| self.with(&scene, &named.with(max_depth));
         let outcome = match self.integrator {
@@ -183,6 +188,10 @@ impl Render {
             },
         };
         let rendered = &outcome.rendered;
+        if rendered.film.pixels().iter().all(|p| p.count() == 0) {
+            tell("interrupted before the first sample: nothing is written");
+            return Err(Stop::Interrupted);
+        }
         let display = match self.integrator {
             Method::Normals | Method::Albedo => Display::Data { white: 1.0 },
             Method::Depth => Display::Data {
@@ -195,38 +204,45 @@ impl Render {
             sampler: self.sampler(),
             ..Provenance::new(&scene, &self.integrator.name(), max_depth, spp, seed)
         };
-        output::write(&path, &rendered.film, display, &facts)?;
+        // All files first: what follows is for people, or may fail.
+        let kept = output::write_somewhere(&path, &rendered.film, display, &facts)?;
+        let path = &kept.path;
+        let maps = self.maps.write(path, &rendered.film, &self.ending.goal());
         let bias = if self.demand.is_everything() || rendered.interrupted {
             None
         } else {
-            Some(self.demand.bias(&self.scene, scene.size, outcome.spp)?)
+            self.demand.bias(
+                &self.scene,
+                scene.size,
+                outcome.spp,
+                &Bar::hidden(on_ctrl_c()),
+            )?
         };
         let too_bright = self.too_bright(&scene, rendered, max_depth);
         if !self.quiet {
-            eprint!("{}", report(&scene, &outcome, self.sampler(), too_bright));
-            eprint!(
-                "{}",
-                stop::report(&outcome, &self.ending.goal(), self.sampler())
-            );
+            let mut text = report(&scene, &outcome, self.sampler(), too_bright);
+            text += &stop::report(&outcome, &self.ending.goal(), self.sampler());
             if let Some(bias) = &bias {
-                eprint!("{}", bias_line(bias));
+                text += &bias_line(bias);
             }
-            eprintln!("wrote {}", path.display());
-        }
-        let maps = self
-            .maps
-            .write(&path, &rendered.film, &self.ending.goal())?;
-        if !self.quiet {
-            maps.iter().for_each(|map| eprintln!("wrote {map}"));
+            text += &format!("wrote {}", path.display());
+            for map in maps.iter().flatten() {
+                text += &format!("\nwrote {map}");
+            }
+            tell(text);
         }
         if self.json {
-            let mut object = as_json(&scene, &facts, &outcome, too_bright, &path);
+            let mut object = as_json(&scene, &facts, &outcome, too_bright, path);
             object["accuracy"] = stop::as_json(&outcome, &self.ending.goal());
-            object["maps"] = json!(maps);
+            object["maps"] = json!(maps.as_deref().unwrap_or_default());
             object["left_out"] = json!(bias.as_ref().map(bias_json));
             answer(&(serde_json::to_string_pretty(&object)? + "\n"))?;
         }
-        if rendered.interrupted {
+        if let Some(what) = kept.complaint() {
+            return Err(Stop::Failure(what));
+        }
+        maps?;
+        if on_ctrl_c().load(Ordering::Relaxed) {
             return Err(Stop::Interrupted);
         }
         Ok(())
@@ -260,11 +276,13 @@ impl Render {
     }
 
     /// Where the picture goes.
-    fn path(&self, scene: &Scene) -> PathBuf {
+    fn path(&self) -> PathBuf {
         self.out.clone().unwrap_or_else(|| {
-            // A scene's name may hold anything; a file's may not.
-            let safe = |c: char| c.is_alphanumeric() || "-_ ".contains(c);
-            let name = scene.name.replace(|c| !safe(c), "_");
+            let mut name = stem(&self.scene);
+            if self.integrator != Method::Path {
+                name += &format!("-{}", self.integrator.name());
+            }
+            name += &self.demand.suffix();
             PathBuf::from("out").join(name + ".png")
         })
     }

@@ -59,16 +59,32 @@ impl Difference {
     }
 }
 
+/// What leaving out saves and loses; see [`difference_watched`].
+pub fn difference(with: &Setup, without: &Setup, spp: u32, rounds: u32) -> Difference {
+    match difference_watched(with, without, spp, rounds, &()) {
+        Some(difference) => difference,
+        None => unreachable!("nobody asked it to stop"),
+    }
+}
+
 /// Renders `with` and `without` in turn, `rounds` times with seeds of their own; the two of a round
 /// share theirs, so that what differs is the effect.
 ///
 /// The noise of a round is independent of the others': the squared difference is estimated by
 /// products of the differences of two rounds, in which noise averages out.
 ///
+/// `None` where it was asked to stop before the last round was finished.
+///
 /// # Panics
 ///
 /// With fewer than three rounds, or pictures of different sizes.
-pub fn difference(with: &Setup, without: &Setup, spp: u32, rounds: u32) -> Difference {
+pub fn difference_watched(
+    with: &Setup,
+    without: &Setup,
+    spp: u32,
+    rounds: u32,
+    progress: &impl Progress,
+) -> Option<Difference> {
     assert!(rounds >= 3 && with.scene.size == without.scene.size);
     let mut log_time = Estimate::new();
     let mut rays = [0; 2];
@@ -80,7 +96,7 @@ pub fn difference(with: &Setup, without: &Setup, spp: u32, rounds: u32) -> Diffe
             sampler: Sampler::Sobol,
             ..Options::default()
         };
-        let run = |setup: &Setup| setup.render(&options, &());
+        let run = |setup: &Setup| setup.render(&options, progress);
         // Who goes first takes turns.
         let (a, b) = if round % 2 == 0 {
             let a = run(with);
@@ -89,6 +105,9 @@ pub fn difference(with: &Setup, without: &Setup, spp: u32, rounds: u32) -> Diffe
             let b = run(without);
             (run(with), b)
         };
+        if a.interrupted || b.interrupted {
+            return None;
+        }
         log_time.add(libm::log(a.time.as_secs_f64() / b.time.as_secs_f64()));
         rays[0] += a.rays.total();
         rays[1] += b.rays.total();
@@ -111,7 +130,7 @@ pub fn difference(with: &Setup, without: &Setup, spp: u32, rounds: u32) -> Diffe
     };
     let jackknife: Estimate = (0..pictures.len()).map(left_out).collect();
     let n = f64::from(rounds);
-    Difference {
+    Some(Difference {
         log_time,
         rays: rays[0] as f64 / (rays[1] as f64).max(1.0),
         traced: rays.iter().sum(),
@@ -119,7 +138,7 @@ pub fn difference(with: &Setup, without: &Setup, spp: u32, rounds: u32) -> Diffe
         share_error: ratio(lost.std_error(), light.mean()),
         rel_mse: rel_mse(&all),
         rel_mse_error: ((n - 1.0) * (n - 1.0) / n * jackknife.variance()).sqrt(),
-    }
+    })
 }
 
 /// The mean product of the differences of two rounds, relative to the squared mean of the first
