@@ -8,8 +8,8 @@
 
 use clap::Parser;
 use halfdisk::desk::{answer, tell};
-use halfdisk::render::{Picture, compare};
 use halfdisk::output::save;
+use halfdisk::render::{Picture, compare};
 use std::error::Error;
 use std::io::Cursor;
 use std::path::{Path, PathBuf};

@@ -18,7 +18,8 @@ use std::path::PathBuf;
 /// S mirror or glass, G gloss, E eye.
 ///
 /// Prints how much light each word and each class of words brings, and which integrator finds which
-/// class; writes a strip of pictures, one for each class, that add up to the last.
+/// class; writes a strip of pictures, one for each class, that add up to the last. Ctrl-C keeps the
+/// classes that are finished.
 #[derive(Debug, Args)]
 #[command(after_help = AFTER_HELP)]
 pub struct Classify {
@@ -36,7 +37,7 @@ pub struct Classify {
     /// Seed of all random numbers
     #[arg(long, default_value_t = 0)]
     seed: u64,
-    /// Folder for the pictures
+    /// Folder for the pictures [default: out/classify/FILE, after the scene's file]
     #[arg(long, value_name = "DIR")]
     out: Option<PathBuf>,
     /// Print all of it as JSON

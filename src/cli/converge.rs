@@ -15,6 +15,7 @@ use std::sync::atomic::Ordering;
 ///
 /// Each estimator is run many times at every size, each run with random numbers of its own. Error
 /// and variance come as a table, a chart and files, with the slope of the error on logarithmic axes.
+/// Ctrl-C keeps the runs that are finished.
 #[derive(Debug, Args)]
 #[command(after_help = AFTER_HELP)]
 pub struct Converge {

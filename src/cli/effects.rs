@@ -21,7 +21,7 @@ pub struct EffectsOf {
     #[command(flatten)]
     demand: Demand,
     /// Measure what each effect costs in time and changes in the picture: renders the scene with and
-    /// without it, in turn
+    /// without it, in turn; Ctrl-C keeps the effects that are finished
     #[arg(long)]
     measure: bool,
     /// Samples per pixel of each of these renders

@@ -42,7 +42,7 @@ Start here:
   halfdisk render mine.toml --spp 256 --out mine.exr
   halfdisk effects caustic            what does this scene call for, and why?
   halfdisk classify cornell           how much of its light came by which paths?
-  halfdisk render cornell --target-error 2%
+  halfdisk render spheres --target-error 2%
   halfdisk converge half-disk         how fast does its error fall?
   halfdisk cost cornell               what does accuracy cost?
   halfdisk doctor                     what do the usual mistakes read?";

@@ -18,12 +18,11 @@ use crate::scene::{Scene, build::film_size, field::Field};
 use clap::{Args, ValueEnum};
 use serde_json::json;
 use std::path::PathBuf;
-use std::sync::atomic::Ordering;
 
 /// Render a scene.
 ///
 /// The picture is a pure function of scene, integrator, seed and samples per pixel. Ctrl-C keeps what
-/// is there.
+/// is there; a second one ends at once.
 #[derive(Debug, Args)]
 #[command(after_help = AFTER_HELP)]
 pub struct Render {
@@ -51,8 +50,7 @@ pub struct Render {
     #[arg(long, value_parser = clap::value_parser!(u16).range(1..=1024))]
     threads: Option<u16>,
     /// The picture: .png for screens, .exr with errors and sample counts, .hdr
-    /// [default: out/SCENE.png, or such as out/SCENE-normals.png by another integrator than path,
-    /// SCENE being the name of the scene's file]
+    /// [default: out/FILE.png after the scene's file; by another integrator than path out/FILE-NAME.png]
     #[arg(long, value_name = "FILE")]
     out: Option<PathBuf>,
     #[command(flatten)]
@@ -79,7 +77,7 @@ Examples:
       is the geometry right? colours are directions
   halfdisk render mine.toml --size 640x480 --spp 256 --out mine.exr
       a scene of your own, with the error of each pixel beside its value
-  halfdisk render cornell --target-error 2% --maps
+  halfdisk render gloss --target-error 2% --maps
       as many samples as it takes; and where they are needed
   halfdisk render caustic --time 30s
       the best picture of half a minute, and how good it is
@@ -188,7 +186,7 @@ impl Render {
             },
         };
         let rendered = &outcome.rendered;
-        if rendered.film.pixels().iter().all(|p| p.count() == 0) {
+        if rendered.interrupted && rendered.film.pixels().iter().all(|p| p.count() == 0) {
             tell("interrupted before the first sample: nothing is written");
             return Err(Stop::Interrupted);
         }
@@ -208,22 +206,24 @@ impl Render {
         let kept = output::write_somewhere(&path, &rendered.film, display, &facts)?;
         let path = &kept.path;
         let maps = self.maps.write(path, &rendered.film, &self.ending.goal());
-        let bias = if self.demand.is_everything() || rendered.interrupted {
-            None
+        let biased = !self.demand.is_everything() && !rendered.interrupted;
+        let bias = if biased {
+            let quiet = Bar::hidden(on_ctrl_c());
+            self.demand
+                .bias(&self.scene, scene.size, outcome.spp, &quiet)?
         } else {
-            self.demand.bias(
-                &self.scene,
-                scene.size,
-                outcome.spp,
-                &Bar::hidden(on_ctrl_c()),
-            )?
+            None
         };
+        let unmeasured = biased && bias.is_none();
         let too_bright = self.too_bright(&scene, rendered, max_depth);
         if !self.quiet {
             let mut text = report(&scene, &outcome, self.sampler(), too_bright);
             text += &stop::report(&outcome, &self.ending.goal(), self.sampler());
             if let Some(bias) = &bias {
                 text += &bias_line(bias);
+            } else if unmeasured {
+                text +=
+                    "interrupted: the picture is complete, but what it lacks was not measured\n";
             }
             text += &format!("wrote {}", path.display());
             for map in maps.iter().flatten() {
@@ -231,18 +231,20 @@ impl Render {
             }
             tell(text);
         }
+        let mut printed = Ok(());
         if self.json {
             let mut object = as_json(&scene, &facts, &outcome, too_bright, path);
             object["accuracy"] = stop::as_json(&outcome, &self.ending.goal());
             object["maps"] = json!(maps.as_deref().unwrap_or_default());
             object["left_out"] = json!(bias.as_ref().map(bias_json));
-            answer(&(serde_json::to_string_pretty(&object)? + "\n"))?;
+            printed = answer(&(serde_json::to_string_pretty(&object)? + "\n"));
         }
         if let Some(what) = kept.complaint() {
             return Err(Stop::Failure(what));
         }
         maps?;
-        if on_ctrl_c().load(Ordering::Relaxed) {
+        printed?;
+        if rendered.interrupted || unmeasured {
             return Err(Stop::Interrupted);
         }
         Ok(())

@@ -29,7 +29,8 @@ const CHAPTERS: &[(&str, &str)] = &[
     ("ch18", "ch18-what-the-scene-asks"),
 ];
 
-/// Run the chapters in order; write the gallery page and the ledger.
+/// Run the chapters in order; write the gallery page and the ledger. Ctrl-C keeps the chapters that are
+/// done.
 #[derive(Debug, Args)]
 pub struct Tour {
     /// Fewer samples: a first look in seconds

@@ -200,7 +200,10 @@ fn ctrl_c_keeps_what_is_finished() {
     assert!(kept || said.contains("interrupted: 0 of 2"), "{said}");
     // Of the second one the runs are kept that were finished, if any were.
     let began = said.contains("runs of product-8 are kept");
-    let names = [("midpoints", kept && !began), ("midpoints+product-8", began)];
+    let names = [
+        ("midpoints", kept && !began),
+        ("midpoints+product-8", began),
+    ];
     for (name, there) in names {
         let file = folder.path().join(format!("out/converge/{name}.csv"));
         assert_eq!(file.exists(), there, "{said}");

@@ -6,8 +6,11 @@ mod commands;
 mod converge;
 mod cost;
 mod doctor;
+mod interrupts;
 pub mod meshes;
 mod target;
+mod unheard;
+mod whole_files;
 
 use std::path::Path;
 use std::process::{Command, Output};

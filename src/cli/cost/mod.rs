@@ -48,7 +48,8 @@ pub struct Cost {
     /// Threads for the pictures that are timed
     #[arg(long, default_value_t = 1, value_parser = clap::value_parser!(u16).range(1..=1024))]
     threads: u16,
-    /// Folder for the page, the charts and the numbers [default: out/cost/SCENE]
+    /// Folder for the page, the charts and the numbers [default: out/cost/FILE, after the
+    /// scene's file]
     #[arg(long, value_name = "DIR")]
     out: Option<PathBuf>,
     /// Print JSON in place of the table
@@ -160,7 +161,7 @@ impl Cost {
         }
         let (done, all) = (measured.replicates, self.replicates);
         tell(format_args!(
-            "interrupted: {done} of {all} replicates were finished, and {} pictures to look at",
+            "interrupted: {done} of {all} replicates were finished; {} pictures to look at are kept",
             report.equal_time.len() + report.equal_error.len()
         ));
         Err(Stop::Interrupted)
