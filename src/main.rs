@@ -4,5 +4,8 @@ use halfdisk::{cli::Command, desk};
 use std::process::ExitCode;
 
 fn main() -> ExitCode {
-    desk::begin(Command::start)
+    match desk::begin() {
+        Ok(()) => Command::start(),
+        Err(code) => code,
+    }
 }

@@ -100,15 +100,17 @@ pub struct Desk {
     unsaid: RefCell<Option<std::io::Error>>,
 }
 
-/// How a program begins, before it reads its arguments or works: `run`, unless the processor lacks what
-/// it needs.
-pub fn begin(run: impl FnOnce() -> ExitCode) -> ExitCode {
+/// How a program begins, before anything else: the code to end with where the processor lacks what the
+/// program is built for.
+// In a function of its own, like what follows it: the caller must do nothing that such a processor cannot.
+#[inline(never)]
+pub fn begin() -> Result<(), ExitCode> {
     if let Some(why) = processor::lacks() {
         tell(why);
-        return ExitCode::FAILURE;
+        return Err(ExitCode::FAILURE);
     }
     interrupt::survive_large_files();
-    run()
+    Ok(())
 }
 
 /// Reads the arguments of a program; where they are wrong, or only help is asked for, the code to end
@@ -127,19 +129,24 @@ pub fn arguments<T: Parser>() -> Result<T, ExitCode> {
 impl Desk {
     /// Runs a chapter: reads the options, makes its folder, lets it work, and turns an error into
     /// a sentence and an exit code.
-    pub fn run(chapter: Chapter, work: fn(&mut Desk) -> Result<Ledger, DeskError>) -> ExitCode {
-        begin(|| Desk::work(chapter, work))
+    pub fn run(
+        chapter: &'static Chapter,
+        work: fn(&mut Desk) -> Result<Ledger, DeskError>,
+    ) -> ExitCode {
+        match begin() {
+            Ok(()) => Desk::work(chapter, work),
+            Err(code) => code,
+        }
     }
 
-    // Not compiled into `run`, so that nothing here comes before the look at the processor.
     #[inline(never)]
-    fn work(chapter: Chapter, work: fn(&mut Desk) -> Result<Ledger, DeskError>) -> ExitCode {
+    fn work(chapter: &Chapter, work: fn(&mut Desk) -> Result<Ledger, DeskError>) -> ExitCode {
         let options = match arguments::<Options>() {
             Ok(options) => options,
             Err(code) => return code,
         };
         interrupt::end_soon(DeskError::Interrupted.to_string());
-        match Desk::open(chapter, options).and_then(|mut desk| {
+        match Desk::open(*chapter, options).and_then(|mut desk| {
             let ledger = work(&mut desk)?;
             desk.close(ledger)
         }) {

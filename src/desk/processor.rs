@@ -27,3 +27,15 @@ fn sentence(complete: bool) -> Option<&'static str> {
          with the environment variable RUSTFLAGS set, even to nothing (RUSTFLAGS= cargo build --release)",
     )
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn what_runs_lacks_nothing_and_what_lacks_something_is_told_the_cure() {
+        assert_eq!(lacks(), None);
+        let said = sentence(false).unwrap_or_default();
+        assert!(said.contains("AVX2") && said.contains("RUSTFLAGS= cargo build"));
+    }
+}

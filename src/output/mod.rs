@@ -108,7 +108,10 @@ pub enum OutputError {
     #[error("{0}: the scene needs this file, so it cannot be replaced: choose another name")]
     Needed(String),
     /// The file system refused, and so did the folder for temporary files.
-    #[error("{0}: {1}; nor could the picture be kept elsewhere: {2}")]
+    #[error(
+        "{0}: {1}; nor could the picture be kept elsewhere: {2}; with --out on another disk the same \
+         command renders the same picture"
+    )]
     Lost(String, io::Error, Box<OutputError>),
     /// What is in the file is no picture.
     #[error("{0} {1}")]

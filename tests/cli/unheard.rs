@@ -1,4 +1,5 @@
 //! Nobody reads what is said, or the disk is full: no work ends by that, and no file is lost.
+#![cfg(target_os = "linux")]
 
 use super::{complaint, folder};
 use std::collections::BTreeSet;
@@ -107,13 +108,11 @@ fn closed_pipe() -> Stdio {
     writer.into()
 }
 
-#[cfg(target_os = "linux")]
 fn full_disk() -> Stdio {
     let full = std::fs::OpenOptions::new().write(true).open("/dev/full");
     full.unwrap().into()
 }
 
-#[cfg(target_os = "linux")]
 #[test]
 fn reports_that_nobody_can_read_end_no_work() {
     for &work in WORK {
@@ -130,7 +129,6 @@ fn reports_that_nobody_can_read_end_no_work() {
     }
 }
 
-#[cfg(target_os = "linux")]
 #[test]
 fn results_that_cannot_be_printed_lose_no_file() {
     for &(program, arguments) in WORK {
@@ -173,7 +171,6 @@ fn results_that_cannot_be_printed_lose_no_file() {
     }
 }
 
-#[cfg(target_os = "linux")]
 #[test]
 fn errors_that_nobody_can_read_keep_their_exit_codes() {
     let folder = folder();
