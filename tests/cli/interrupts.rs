@@ -146,18 +146,27 @@ fn a_chapter_ends_at_once_whatever_it_does() {
     }
 }
 
-/// Glass behind glass, whose tree of rays doubles at each of sixty surfaces: a single sample of it never
-/// ends.
-const ENDLESS: &str = "name = 'endless'\ncamera = { from = [0, 0, 0], to = [0, 0, 1], fov = 40 }\n\
-    film.size = [1, 1]\nrender.max_depth = 63\nmaterials.glass.glass.ior = 1.5\n\
-    [[objects]]\nmaterial = 'glass'\nsphere = { center = [0, 0, 3], radius = 1 }\n\
-    [[objects]]\nmaterial = 'glass'\nsphere = { center = [0, 0, 6], radius = 1.5 }\n\
-    [[objects]]\nemits = 1\nsphere = { center = [0, 9, 9], radius = 1 }\n";
+/// Panes of glass one behind the other, between which the tree of rays doubles at each of sixty surfaces:
+/// a single sample of it never ends.
+fn endless() -> String {
+    let mut text = "name = 'endless'\ncamera = { from = [0, 0, 0], to = [0, 0, 1], fov = 1 }\n\
+                    film.size = [1, 1]\nrender.max_depth = 63\nmaterials.glass.glass.ior = 1.5\n\
+                    [[objects]]\nemits = 1\nsphere = { center = [0, 9, 9], radius = 1 }\n"
+        .to_owned();
+    for pane in 0..20 {
+        let (front, back) = (2 * pane + 1, 2 * pane + 2);
+        text += &format!(
+            "[[objects]]\nmaterial = 'glass'\n\
+             box = {{ min = [-9, -9, {front}], max = [9, 9, {back}] }}\n"
+        );
+    }
+    text
+}
 
 #[test]
 fn the_second_wish_ends_it_without_a_word() {
     let folder = folder();
-    std::fs::write(folder.path().join("endless.toml"), ENDLESS).unwrap();
+    std::fs::write(folder.path().join("endless.toml"), endless()).unwrap();
     for (signal, code) in [("-INT", 130), ("-TERM", 143)] {
         let arguments = ["render", "endless.toml", "--integrator", "whitted"];
         let mut child = start(folder.path(), HALFDISK, &arguments);
