@@ -1,5 +1,7 @@
 //! What robustness costs: the plain form of each computation, and ours, on the same input. The end is a
 //! table of all that was timed, in nanoseconds for each call and in percent.
+
+#![allow(clippy::print_stdout)]
 #![allow(missing_docs)]
 
 use criterion::{Criterion, Throughput};

@@ -7,9 +7,12 @@
 //! `--features flip` (and a C++ compiler) the perceptual difference FLIP is there, too.
 
 use clap::Parser;
+use halfdisk::desk::{answer, tell};
+use halfdisk::output::save;
 use halfdisk::render::accuracy::Scale;
 use halfdisk::render::{Picture, compare};
 use std::error::Error;
+use std::io::Cursor;
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 
@@ -33,7 +36,7 @@ fn main() -> ExitCode {
     match run(&Arguments::parse()) {
         Ok(()) => ExitCode::SUCCESS,
         Err(e) => {
-            eprintln!("error: {e}");
+            tell(format_args!("error: {e}"));
             ExitCode::from(2)
         }
     }
@@ -54,19 +57,21 @@ fn run(arguments: &Arguments) -> Result<(), Box<dyn Error>> {
         a.in_squares(arguments.squares),
         b.in_squares(arguments.squares),
     );
-    print!("{}", report(&a, &b));
-    println!("FLIP      {}", flip(&a, &b));
     if let Some(path) = &arguments.out {
-        image::save_buffer(
-            path,
+        let mut bytes = Cursor::new(Vec::new());
+        let (width, height) = a.size.into();
+        image::write_buffer_with_format(
+            &mut bytes,
             &signed(&a, &b),
-            a.size[0],
-            a.size[1],
+            width,
+            height,
             image::ColorType::Rgb8,
-        )
-        .map_err(|e| format!("{}: {e}", path.display()))?;
-        println!("wrote {}", path.display());
+            image::ImageFormat::Png,
+        )?;
+        save(path, &bytes.into_inner()).map_err(|e| format!("{}: {e}", path.display()))?;
+        tell(format_args!("wrote {}", path.display()));
     }
+    answer(&format!("{}FLIP      {}\n", report(&a, &b), flip(&a, &b)))?;
     Ok(())
 }
 

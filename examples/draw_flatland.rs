@@ -3,6 +3,8 @@
 //! `cargo run --release --example draw_flatland -- yard`
 //! `cargo run --release --example draw_flatland -- mine.toml`
 
+#![allow(clippy::print_stdout)]
+
 use halfdisk::chart::flat;
 use halfdisk::flatland::{frame, load};
 use halfdisk::sampling::half_disk;

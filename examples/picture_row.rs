@@ -2,6 +2,8 @@
 //!
 //! `cargo run --release --example picture_row`
 
+#![allow(clippy::print_stdout)]
+
 use halfdisk::integrators::Whitted;
 use halfdisk::output::{self, Display, Provenance};
 use halfdisk::render::{Film, Options, Pixel, render};

@@ -6,7 +6,7 @@
 //! ```
 
 use clap::Parser;
-use halfdisk::desk::{Bar, on_ctrl_c};
+use halfdisk::desk::{Bar, answer, on_ctrl_c, tell};
 use halfdisk::integrators::Path;
 use halfdisk::render::accuracy::{Accuracy, Measure, true_error};
 use halfdisk::render::target::{Goal, Outcome, Prediction, render_to};
@@ -83,7 +83,7 @@ fn main() -> ExitCode {
     match run(&Arguments::parse()) {
         Ok(()) => ExitCode::SUCCESS,
         Err(e) => {
-            eprintln!("error: {e}");
+            tell(format_args!("error: {e}"));
             ExitCode::from(2)
         }
     }
@@ -92,13 +92,13 @@ fn main() -> ExitCode {
 fn run(arguments: &Arguments) -> Result<(), Box<dyn Error>> {
     let stop = on_ctrl_c();
     let mut all = Vec::new();
-    println!(
-        "scene     target  reached      true /target       spp pilot spp   s said, taken  ratio longer"
-    );
+    answer(
+        "scene     target  reached      true /target       spp pilot spp   s said, taken  ratio longer\n",
+    )?;
     for name in &arguments.scenes {
         let scene = gallery::load_with(name, |said| said.film.size = [arguments.size; 2])?;
         for kept in promises(name, &scene, arguments, stop)? {
-            println!("{}", kept.row(name));
+            answer(&format!("{}\n", kept.row(name)))?;
             all.push(kept);
         }
         if stop.load(Ordering::Relaxed) {
@@ -109,14 +109,14 @@ fn run(arguments: &Arguments) -> Result<(), Box<dyn Error>> {
         return Ok(());
     }
     let near = |ratio: f64, by: f64| (ratio - 1.0).abs() <= by;
-    println!(
+    answer(&format!(
         "\nof {}, {} are within 10 % of their target, the worst at {:.3} times it; {} took within 25 % of \
-         the seconds that they said",
+         the seconds that they said\n",
         all.len(),
         all.iter().filter(|k| near(k.error(), 0.1)).count(),
         all.iter().map(Kept::error).fold(0.0, f64::max),
         all.iter().filter(|k| near(k.seconds(), 0.25)).count(),
-    );
+    ))?;
     Ok(())
 }
 

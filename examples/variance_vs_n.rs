@@ -2,6 +2,8 @@
 //!
 //! `cargo run --release --example variance_vs_n`
 
+#![allow(clippy::print_stdout)]
+
 use halfdisk::chart::convergence_chart;
 use halfdisk::experiment::convergence::{Convergence, Design, converge};
 use halfdisk::experiment::named;

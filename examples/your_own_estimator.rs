@@ -2,6 +2,8 @@
 //!
 //! `cargo run --release --example your_own_estimator`
 
+#![allow(clippy::print_stdout)]
+
 use halfdisk::estimators::doctor::{Patient, examine};
 use halfdisk::sampling::half_disk;
 use halfdisk::space::{Flat, Space};

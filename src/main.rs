@@ -1,9 +1,11 @@
 //! The `halfdisk` command: parse, match, run.
 
-use clap::Parser;
-use halfdisk::cli::Command;
+use halfdisk::{cli::Command, desk};
 use std::process::ExitCode;
 
 fn main() -> ExitCode {
-    Command::parse().run()
+    match desk::begin() {
+        Ok(()) => Command::start(),
+        Err(code) => code,
+    }
 }

@@ -1,5 +1,10 @@
 //! All integration tests in one binary: it links once, and its last line counts them.
-#![allow(clippy::unwrap_used, clippy::expect_used)]
+#![allow(
+    clippy::unwrap_used,
+    clippy::expect_used,
+    clippy::print_stdout,
+    clippy::print_stderr
+)]
 
 mod aiming;
 mod chapters;
@@ -14,6 +19,7 @@ mod flatland;
 mod gather;
 mod hard_cases;
 mod hit_or_miss;
+mod interruption;
 mod ladder;
 mod lights;
 mod materials;

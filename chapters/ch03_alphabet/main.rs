@@ -31,7 +31,7 @@ const SCENES: [&str; 4] = ["cornell", "spheres", "caustic", "mixture"];
 const REPLICATES: u32 = 8;
 
 fn main() -> ExitCode {
-    Desk::run(CHAPTER, work)
+    Desk::run(&CHAPTER, work)
 }
 
 fn work(desk: &mut Desk) -> Result<Ledger, DeskError> {

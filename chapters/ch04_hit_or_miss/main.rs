@@ -31,7 +31,7 @@ const RUN: u32 = 400;
 const POINTS: u32 = 4096;
 
 fn main() -> ExitCode {
-    Desk::run(CHAPTER, work)
+    Desk::run(&CHAPTER, work)
 }
 
 fn work(desk: &mut Desk) -> Result<Ledger, DeskError> {

@@ -34,7 +34,7 @@ const RULES: [(Choice, &str, &str); 4] = [
 ];
 
 fn main() -> ExitCode {
-    Desk::run(CHAPTER, work)
+    Desk::run(&CHAPTER, work)
 }
 
 fn work(desk: &mut Desk) -> Result<Ledger, DeskError> {

@@ -21,7 +21,7 @@ const CHAPTER: Chapter = Chapter {
 };
 
 fn main() -> ExitCode {
-    Desk::run(CHAPTER, work)
+    Desk::run(&CHAPTER, work)
 }
 
 fn work(desk: &mut Desk) -> Result<Ledger, DeskError> {

@@ -24,7 +24,7 @@ const CHAPTER: Chapter = Chapter {
 const FINAL: &str = "final";
 
 fn main() -> ExitCode {
-    Desk::run(CHAPTER, work)
+    Desk::run(&CHAPTER, work)
 }
 
 fn work(desk: &mut Desk) -> Result<Ledger, DeskError> {

@@ -3,6 +3,8 @@
 //! The slit fills an angle, which falls with the distance; the disc fills a solid angle, which
 //! falls with its square. So the counts fall to about a half and about a quarter.
 
+#![allow(clippy::print_stdout)]
+
 use halfdisk::estimators::aperture::{
     count_through_disc, count_through_slit, disc_chance, slit_chance,
 };

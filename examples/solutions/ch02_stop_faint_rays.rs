@@ -4,6 +4,8 @@
 //! materials and random numbers, so both pictures are of the same samples, and their difference is
 //! the bias alone.
 
+#![allow(clippy::print_stdout)]
+
 use halfdisk::color::Rgb;
 use halfdisk::geometry::Ray;
 use halfdisk::integrators::{Integrator, direct_light};

@@ -5,6 +5,8 @@
 //! way of mirrors or glass again, `S+`, to the eye: `LS+DS+E`. Whether a scene can have such paths
 //! is decided by its expression; how much light they bring is measured.
 
+#![allow(clippy::print_stdout)]
+
 use halfdisk::effects::language;
 use halfdisk::effects::words::words;
 use halfdisk::integrators::Path;

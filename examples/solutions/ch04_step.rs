@@ -4,6 +4,8 @@
 //! that holds the jump, by less than that step: its power is -1, where it is -2 for smooth
 //! functions.
 
+#![allow(clippy::print_stdout)]
+
 use halfdisk::estimators::many_dimensions;
 use halfdisk::experiment::convergence::{Convergence, Design, Estimator, Sizes, converge};
 use halfdisk::sampling::stream::{Purpose, Stream};

@@ -4,6 +4,8 @@
 //! way. The doctor asks it about several surfaces and compares the readings with those of the
 //! classic mistakes.
 
+#![allow(clippy::print_stdout)]
+
 use halfdisk::estimators::doctor::{Patient, examine};
 use halfdisk::sampling::{flat_frame::FlatFrame, half_disk};
 use halfdisk::space::Flat;

@@ -5,6 +5,8 @@
 //! can be inverted. In the half disk it has no elementary inverse, but a direction can be drawn and
 //! then accepted with probability `cosⁿ θ`: slower, and as right.
 
+#![allow(clippy::print_stdout)]
+
 use glam::{Vec2, Vec3};
 use halfdisk::numeric::sin_cos;
 use halfdisk::sampling::stream::{Numbers, Purpose, Stream};

@@ -4,6 +4,8 @@
 //! What changes are the variance and the rays. The deep levels have the most rays and the least
 //! light, so thinning them saves much and costs little.
 
+#![allow(clippy::print_stdout)]
+
 use glam::Vec3;
 use halfdisk::estimators::directions::{Drawn, Recipe};
 use halfdisk::estimators::world::{Counted, World};

@@ -4,6 +4,8 @@
 //! wavelength as it draws its moment, and an edge seen through the slab becomes a small spectrum: a
 //! ramp whose form is known, for the shift can be solved for the wavelength.
 
+#![allow(clippy::print_stdout)]
+
 use glam::DVec2;
 use halfdisk::sampling::stream::{Purpose, Stream};
 use halfdisk::stats::Estimate;

@@ -5,6 +5,8 @@
 //! cost is least for `s = √(c V2 / (r V1))`. Two measurements give `V1` and `V2`, a third one checks
 //! them.
 
+#![allow(clippy::print_stdout)]
+
 use halfdisk::estimators::split::Split;
 use halfdisk::render::{Options, Rendered, render};
 use halfdisk::scene::{Scene, SceneError, gallery};

@@ -4,6 +4,8 @@
 //! Each channel of each part must come out as its own share in the mean. One weight for all
 //! channels, the luminance's, would paint the mirror grey.
 
+#![allow(clippy::print_stdout)]
+
 use glam::Vec3;
 use halfdisk::color::Rgb;
 use halfdisk::materials::{Choice, Event, Mixture};

@@ -4,6 +4,8 @@
 //! that was not. On a dark floor under a bright sky the path has one segment left, and that one is
 //! all the light there is: whoever ends it there has saved a ray and lost the answer.
 
+#![allow(clippy::print_stdout)]
+
 use glam::Vec2;
 use halfdisk::flatland::{FlatWorld, gallery};
 use halfdisk::integrators::walkable::FlatWalk;

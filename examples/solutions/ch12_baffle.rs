@@ -5,6 +5,8 @@
 //! by the same factor, so aiming keeps its advantage, whatever the baffle. Aiming loses where it
 //! finds nothing at all: the shadow ray is then one more ray for the same zero.
 
+#![allow(clippy::print_stdout)]
+
 use glam::Vec2;
 use halfdisk::estimators::walks::{self, Walks};
 use halfdisk::flatland::gallery;

@@ -4,6 +4,8 @@
 //! samples. In a weight it need only be the same in both: then the weights still add up to one, the
 //! mean is right, and no test of means can notice. A histogram of the samples notices always.
 
+#![allow(clippy::print_stdout)]
+
 use halfdisk::estimators::mistakes::misled::{Misled, Slip};
 use halfdisk::estimators::overhead::{Overhead, Technique};
 use halfdisk::integrators::walkable::FlatWalk;

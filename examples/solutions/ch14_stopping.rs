@@ -3,6 +3,8 @@
 //! Each pixel adds samples until its own estimated error is small enough. Where light comes in rare
 //! bright samples, a pixel that has not met one yet looks dark and sure of it, and stops.
 
+#![allow(clippy::print_stdout)]
+
 use halfdisk::sampling::stream::{Purpose, Stream};
 use halfdisk::stats::Estimate;
 

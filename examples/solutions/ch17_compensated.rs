@@ -7,6 +7,8 @@
 //! Source: Kahan, Further Remarks on Reducing Truncation Errors (Communications of the ACM 8(1),
 //! 1965).
 
+#![allow(clippy::print_stdout)]
+
 use halfdisk::numeric::naive;
 
 /// The mean of samples by a compensated sum.

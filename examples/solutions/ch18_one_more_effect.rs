@@ -3,6 +3,8 @@
 //! Each change is one line of the scene file. The prediction names the effects whose line in the
 //! report moves from "not simulated" to "simulated", and the light paths that follow.
 
+#![allow(clippy::print_stdout)]
+
 use halfdisk::effects::plan::{Plan, plan};
 use halfdisk::scene::description::{
     Color, Description, Exactly, Glossy, Light, Mirror, PointLight,

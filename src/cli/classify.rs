@@ -1,14 +1,14 @@
 //! `halfdisk classify`.
 
-use super::{Stop, answer};
-use crate::desk::{Bar, on_ctrl_c, whole};
+use super::{Stop, answer, stem};
+use crate::desk::{Bar, on_ctrl_c, tell, whole};
 use crate::effects::language::{self, Class, Finds, finds};
 use crate::effects::plan::count;
-use crate::effects::words::{Words, words};
+use crate::effects::words::{Words, words_watched};
 use crate::integrators::{Integrator, Named, Path, Restricted};
 use crate::notation::Word;
 use crate::output::{self, Display, Provenance};
-use crate::render::{self, Film, Options};
+use crate::render::{self, Film, Options, Rendered};
 use crate::sampling::stream::Sampler;
 use crate::scene::{Scene, gallery};
 use clap::Args;
@@ -19,7 +19,8 @@ use std::path::PathBuf;
 /// S mirror or glass, G gloss, E eye.
 ///
 /// Prints how much light each word and each class of words brings, and which integrator finds which
-/// class; writes a strip of pictures, one for each class, that add up to the last.
+/// class; writes a strip of pictures, one for each class, that add up to the last. Ctrl-C keeps the
+/// classes that are finished.
 #[derive(Debug, Args)]
 #[command(after_help = AFTER_HELP)]
 pub struct Classify {
@@ -37,7 +38,7 @@ pub struct Classify {
     /// Seed of all random numbers
     #[arg(long, default_value_t = 0, allow_negative_numbers = true, value_parser = whole(0..=u64::MAX))]
     seed: u64,
-    /// Folder for the pictures
+    /// Folder for the pictures [default: out/classify/FILE, after the scene's file]
     #[arg(long, value_name = "DIR")]
     out: Option<PathBuf>,
     /// Print all of it as JSON
@@ -81,13 +82,11 @@ impl Classify {
                 scene.name
             )));
         };
-        let folder = self.out.clone().unwrap_or_else(|| {
-            let safe = |c: char| c.is_alphanumeric() || "-_".contains(c);
-            let name = scene.name.replace(|c| !safe(c), "_");
-            PathBuf::from("out").join("classify").join(name)
-        });
+        let folder = self.out.clone();
+        let folder =
+            folder.unwrap_or_else(|| PathBuf::from("out/classify").join(stem(&self.scene)));
         let strip = folder.join("strip.png");
-        output::prepare(&strip)?;
+        output::prepare(&strip, &scene)?;
 
         let path = Path::new(scene.suggested.max_depth);
         let options = Options {
@@ -96,62 +95,100 @@ impl Classify {
             sampler: Sampler::Sobol,
             ..Options::default()
         };
-        let sorted = self.render(&scene, path, &options)?;
-        let whole = self.one(&scene, "all of it", &path, &options)?;
-        let off = largest_difference(&sorted, &whole);
         let spp = u64::from(self.spp);
         let facts = Provenance::new(&scene, "path", path.max_depth, spp, self.seed);
-        let films: Vec<&Film> = sorted.iter().map(|s| &s.film).chain([&whole]).collect();
-        output::write(&strip, &Film::beside(&films), Display::Radiance, &facts)?;
+        let save = |films: &[&Film]| {
+            output::write_somewhere(&strip, &Film::beside(films), Display::Radiance, &facts)
+        };
+        let there = |class: &Class| finds(Named::Path, *class, &scene.inventory) != Finds::Absent;
+        let classes: Vec<Class> = Class::ALL.into_iter().filter(there).collect();
+        let (sorted, complete) = render(&scene, &classes, path, &options);
+        let films: Vec<&Film> = sorted.iter().map(|s| &s.film).collect();
+        let whole = complete.then(|| one(&scene, "all of it", &path, &options));
+        let Some(whole) = whole.filter(|whole| !whole.interrupted) else {
+            if films.is_empty() {
+                tell("interrupted before the first class was finished: nothing is written");
+                return Err(Stop::Interrupted);
+            }
+            let kept = save(&films)?;
+            let counts = films.iter().flat_map(|film| film.pixels());
+            let fewer = counts.map(|p| p.count()).min() < Some(spp);
+            tell(format_args!(
+                "interrupted: kept {} of {} classes in {}{}",
+                sorted.len(),
+                classes.len(),
+                kept.path.display(),
+                if fewer {
+                    ", the last one with fewer samples"
+                } else {
+                    ""
+                },
+            ));
+            if self.json {
+                answer(&(serde_json::to_string_pretty(&cut_short(&scene, &sorted))? + "\n"))?;
+            }
+            return Err(kept.complaint().map_or(Stop::Interrupted, Stop::Failure));
+        };
+        let whole = whole.film;
+        let off = largest_difference(&sorted, &whole);
+        let kept = save(&[films, vec![&whole]].concat())?;
+        let strip = &kept.path;
 
         let quarter = Options {
             spp: self.spp / REPLICATES,
             ..options
         };
-        let words = words(&scene, &path, &quarter, REPLICATES);
+        let bar = Bar::new("words", on_ctrl_c());
+        let words = words_watched(&scene, &path, &quarter, REPLICATES, &bar);
+        drop(bar);
         if self.json {
-            let mut object = as_json(&scene, &words, &sorted, &strip.display().to_string());
+            let words = words.as_ref();
+            let mut object = as_json(&scene, words, &sorted, &strip.display().to_string());
             object["sum_is_off_by"] = json!(off);
-            answer(&(serde_json::to_string_pretty(&object)? + "\n"))
+            answer(&(serde_json::to_string_pretty(&object)? + "\n"))?;
         } else {
-            eprintln!("wrote {}", strip.display());
+            tell(format_args!("wrote {}", strip.display()));
             let mut text = format!("{}: paths {paths}\n", scene.name);
-            text += &describe_words(&words, self.words);
+            if let Some(words) = &words {
+                text += &describe_words(words, self.words);
+            }
             text += &describe_classes(&scene, &sorted);
             text += &format!("the classes add up to the picture within {off:.0e} of its mean\n");
-            answer(&text)
+            answer(&text)?;
         }
-    }
-
-    /// The picture of each class that the scene can have.
-    fn render(&self, scene: &Scene, path: Path, options: &Options) -> Result<Vec<Sorted>, Stop> {
-        let there = |class: &Class| finds(Named::Path, *class, &scene.inventory) != Finds::Absent;
-        let picture = |class: Class| {
-            let expression = class.expression();
-            let only = Restricted {
-                path,
-                paths: expression.eye_first(),
-            };
-            let film = self.one(scene, class.name(), &only, options)?;
-            Ok(Sorted { class, film })
-        };
-        Class::ALL.into_iter().filter(there).map(picture).collect()
-    }
-
-    fn one(
-        &self,
-        scene: &Scene,
-        what: &str,
-        integrator: &impl Integrator,
-        options: &Options,
-    ) -> Result<Film, Stop> {
-        let bar = Bar::new(what, on_ctrl_c());
-        let rendered = render::render(scene, integrator, options, &bar);
-        if rendered.interrupted {
+        if let Some(what) = kept.complaint() {
+            return Err(Stop::Failure(what));
+        }
+        if words.is_none() {
+            tell("interrupted: all classes are kept, the words were not counted");
             return Err(Stop::Interrupted);
         }
-        Ok(rendered.film)
+        Ok(())
     }
+}
+
+/// The picture of each class, and whether all were finished. One that was cut short is kept where every
+/// pixel has a sample.
+fn render(scene: &Scene, classes: &[Class], path: Path, options: &Options) -> (Vec<Sorted>, bool) {
+    let mut sorted = Vec::new();
+    for &class in classes {
+        let expression = class.expression();
+        let paths = expression.eye_first();
+        let Rendered {
+            film, interrupted, ..
+        } = one(scene, class.name(), &Restricted { path, paths }, options);
+        if !interrupted || film.pixels().iter().all(|p| p.count() > 0) {
+            sorted.push(Sorted { class, film });
+        }
+        if interrupted {
+            return (sorted, false);
+        }
+    }
+    (sorted, true)
+}
+
+fn one(scene: &Scene, what: &str, integrator: &impl Integrator, options: &Options) -> Rendered {
+    render::render(scene, integrator, options, &Bar::new(what, on_ctrl_c()))
 }
 
 /// By how much the sum of all classes misses the whole picture, in the worst pixel, relative to the
@@ -238,22 +275,39 @@ fn missing(named: Named, scene: &Scene) -> Option<String> {
     (!words.is_empty()).then(|| format!("{} misses {} …\n", named.name(), words.join(", ")))
 }
 
-fn as_json(scene: &Scene, words: &Words, sorted: &[Sorted], strip: &str) -> serde_json::Value {
-    let total = words.total.mean();
-    let by_word: Vec<_> = words
-        .shares
-        .iter()
-        .map(|(word, share)| {
-            json!({
-                "word": word.to_string(),
-                "share": {
-                    "value": share.light.mean() / total,
-                    "error": share.light.std_error() / total,
-                },
-                "paths": share.paths,
+/// What is known of some classes alone: not which share of the light they are.
+fn cut_short(scene: &Scene, sorted: &[Sorted]) -> serde_json::Value {
+    let class = |Sorted { class, film }: &Sorted| {
+        let (value, error) = film.mean();
+        let mean = json!({ "value": value, "error": error });
+        json!({ "class": class, "words": class.text(), "mean": mean })
+    };
+    let classes: Vec<_> = sorted.iter().map(class).collect();
+    json!({ "scene": scene.name, "interrupted": true, "classes": classes })
+}
+
+fn as_json(
+    scene: &Scene,
+    words: Option<&Words>,
+    sorted: &[Sorted],
+    strip: &str,
+) -> serde_json::Value {
+    let by_word = words.map(|words| -> Vec<_> {
+        let total = words.total.mean();
+        let shares = words.shares.iter();
+        shares
+            .map(|(word, share)| {
+                json!({
+                    "word": word.to_string(),
+                    "share": {
+                        "value": share.light.mean() / total,
+                        "error": share.light.std_error() / total,
+                    },
+                    "paths": share.paths,
+                })
             })
-        })
-        .collect();
+            .collect()
+    });
     let sum: f64 = sorted.iter().map(|s| s.film.mean().0).sum();
     let classes: Vec<_> = sorted
         .iter()
@@ -276,7 +330,9 @@ fn as_json(scene: &Scene, words: &Words, sorted: &[Sorted], strip: &str) -> serd
         .collect();
     json!({
         "scene": scene.name,
-        "mean": { "value": total, "error": words.total.std_error() },
+        "mean": words.map(|words| json!({
+            "value": words.total.mean(), "error": words.total.std_error(),
+        })),
         "words": by_word,
         "classes": classes,
         "strip": strip,

@@ -1,8 +1,8 @@
 //! `halfdisk converge`.
 
-use super::{Stop, answer, use_threads};
+use super::{Stop, answer, check_folder, save, use_threads};
 use crate::chart::{ChartError, convergence_chart};
-use crate::desk::{Bar, on_ctrl_c, whole};
+use crate::desk::{Bar, on_ctrl_c, tell, whole};
 use crate::effects::plan::count;
 use crate::experiment::convergence::{Convergence, Design, Estimator, converge_watched};
 use crate::experiment::named;
@@ -10,11 +10,13 @@ use clap::Args;
 use serde_json::{Value, json};
 use std::fmt::Write as _;
 use std::path::PathBuf;
+use std::sync::atomic::Ordering;
 
 /// Measure how fast the error of an estimator falls.
 ///
 /// Each estimator is run many times at every size, each run with random numbers of its own. Error
 /// and variance come as a table, a chart and files, with the slope of the error on logarithmic axes.
+/// Ctrl-C keeps the runs that are finished.
 #[derive(Debug, Args)]
 #[command(after_help = AFTER_HELP)]
 pub struct Converge {
@@ -68,6 +70,7 @@ impl Converge {
             return list(self.json);
         }
         let estimators = chosen(&self.names)?;
+        check_folder(&self.out)?;
         use_threads(self.threads)?;
         let design = Design {
             replicates: self.replicates,
@@ -76,21 +79,39 @@ impl Converge {
             ..Design::default()
         };
         let stop = on_ctrl_c();
-        let runs: Vec<Convergence> = estimators
-            .iter()
-            .map_while(|e| converge_watched(e, &design, &Bar::new(e.name, stop)))
-            .collect();
+        let mut runs: Vec<Convergence> = Vec::new();
+        for estimator in &estimators {
+            runs.extend(converge_watched(
+                estimator,
+                &design,
+                &Bar::new(estimator.name, stop),
+            ));
+            if stop.load(Ordering::Relaxed) {
+                break;
+            }
+        }
+        let whole = runs.iter().filter(|r| r.replicates == self.replicates);
+        let done = whole.count();
         // What was finished before a Ctrl-C is kept.
         if !runs.is_empty() {
             let object = as_json(&design, &runs);
             let json = serde_json::to_string_pretty(&object)? + "\n";
-            let stem = self.write(&runs, &json)?;
+            // The table is worth having where the files cannot be written.
+            let stem = self.write(&runs, &json);
             answer(&if self.json { json } else { table(&runs) })?;
-            eprintln!("wrote {}.svg, .csv and .json", stem.display());
+            tell(format_args!(
+                "wrote {}.svg, .csv and .json",
+                stem?.display()
+            ));
         }
-        if runs.len() < estimators.len() {
-            let (done, all) = (runs.len(), estimators.len());
-            eprintln!("interrupted: {done} of {all} estimators were finished");
+        if done < estimators.len() {
+            let all = estimators.len();
+            let mut text = format!("interrupted: {done} of {all} estimators were finished");
+            if let Some(cut) = runs.iter().find(|r| r.replicates < self.replicates) {
+                let (kept, all) = (cut.replicates, self.replicates);
+                text += &format!(", and {kept} of {all} runs of {} are kept", cut.name);
+            }
+            tell(text);
             return Err(Stop::Interrupted);
         }
         Ok(())
@@ -99,8 +120,6 @@ impl Converge {
     /// Writes chart and numbers; returns their path without its ending.
     fn write(&self, runs: &[Convergence], json: &str) -> Result<PathBuf, Stop> {
         let path = self.out.join(stem(runs));
-        let failure = |path: &std::path::Path, e| Stop::Failure(format!("{}: {e}", path.display()));
-        std::fs::create_dir_all(&self.out).map_err(|e| failure(&self.out, e))?;
         let runs_each = count(self.replicates as usize, "run", "runs");
         let title = match runs {
             [run] => format!("Error of {}, {runs_each} each", run.name),
@@ -111,13 +130,13 @@ impl Converge {
         match chart.to_svg() {
             Ok(svg) => files.push(("svg", svg)),
             // Estimators without any error have numbers, but no place on logarithmic axes.
-            Err(ChartError::Empty(_)) => eprintln!("note: no error anywhere, so there is no chart"),
+            Err(ChartError::Empty(_)) => tell("note: no error anywhere, so there is no chart"),
             Err(error) => return Err(Stop::Failure(error.to_string())),
         }
         for (ending, text) in files {
             // The stem may have dots of its own: `with_extension` would eat them.
             let file = PathBuf::from(format!("{}.{ending}", path.display()));
-            std::fs::write(&file, text).map_err(|e| failure(&file, e))?;
+            save(&file, text)?;
         }
         Ok(path)
     }

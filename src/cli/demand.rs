@@ -2,10 +2,11 @@
 
 use super::Stop;
 use crate::effects::language::{self, Wanted};
-use crate::effects::measure::{Difference, Setup, difference};
+use crate::effects::measure::{Difference, Setup, difference_watched};
 use crate::effects::plan::{demand, never_a_path, reason};
 use crate::effects::without::Without;
 use crate::notation::Expression;
+use crate::render::Progress;
 use crate::scene::description::Description;
 use crate::scene::{Effect, Scene, gallery};
 use clap::Args;
@@ -118,16 +119,55 @@ impl Demand {
         Ok(())
     }
 
-    /// By how much the picture differs from that of all light: measured in a small picture.
-    pub(super) fn bias(&self, name: &str, size: [u32; 2], spp: u32) -> Result<Difference, Stop> {
+    /// What the names of results end with, so that those of less light do not replace those of all.
+    pub(super) fn suffix(&self) -> String {
+        let mut suffix = String::new();
+        if let Some(paths) = &self.paths {
+            suffix += &format!("-{}", in_a_file_name(&paths.to_string()));
+        }
+        if !self.without.is_empty() {
+            suffix += "-without";
+        }
+        let names = self.without.iter().map(|effect| effect.name());
+        suffix + &names.map(|name| format!("-{name}")).collect::<String>()
+    }
+
+    /// By how much the picture differs from that of all light: measured in a small picture. `None` where
+    /// it was asked to stop.
+    pub(super) fn bias(
+        &self,
+        name: &str,
+        size: [u32; 2],
+        spp: u32,
+        progress: &impl Progress,
+    ) -> Result<Option<Difference>, Stop> {
         let small = |said: &mut Description| said.film.size = measured_size(size).map(i64::from);
         let with = Setup {
             scene: gallery::load_with(name, small)?,
             wanted: None,
         };
         let without = self.load_anything(name, small)?;
-        Ok(difference(&with, &without, spp.min(16), 4))
+        Ok(difference_watched(
+            &with,
+            &without,
+            spp.min(16),
+            4,
+            progress,
+        ))
     }
+}
+
+/// An expression in letters that every file system takes: what `*`, `?` and `|` stand for is written
+/// out. A long one is cut.
+fn in_a_file_name(expression: &str) -> String {
+    let letter = |c: char| match c {
+        '*' => "0+".to_owned(),
+        '?' => "01".to_owned(),
+        '|' => "or".to_owned(),
+        c if c.is_alphanumeric() || "+-_()[]{},".contains(c) => c.to_string(),
+        _ => String::new(),
+    };
+    expression.chars().take(80).map(letter).collect()
 }
 
 /// The size of a picture in which errors are measured: at most 128 x 128 pixels, of the same shape.

@@ -2,8 +2,8 @@
 
 use super::demand::{Demand, measured_size};
 use super::{Stop, answer};
-use crate::desk::{on_ctrl_c, whole};
-use crate::effects::measure::{Difference, Setup, difference};
+use crate::desk::{Bar, on_ctrl_c, tell, whole};
+use crate::effects::measure::{Difference, Setup, difference_watched};
 use crate::effects::plan::{self, Plan, count, demand};
 use crate::scene::description::Description;
 use crate::scene::{Effect, Scene, gallery};
@@ -21,7 +21,7 @@ pub struct EffectsOf {
     #[command(flatten)]
     demand: Demand,
     /// Measure what each effect costs in time and changes in the picture: renders the scene with and
-    /// without it, in turn
+    /// without it, in turn; Ctrl-C keeps the effects that are finished
     #[arg(long)]
     measure: bool,
     /// Samples per pixel of each of these renders
@@ -55,6 +55,8 @@ struct Measurements {
     effects: Vec<Measured>,
     all_on: Option<Difference>,
     interrupted: bool,
+    /// How many there should be.
+    wanted: usize,
 }
 
 impl EffectsOf {
@@ -70,7 +72,8 @@ impl EffectsOf {
             true => Some(self.measure(&scene)?),
             false => None,
         };
-        let interrupted = measured.as_ref().is_some_and(|m| m.interrupted);
+        let interrupted = measured.as_ref().filter(|m| m.interrupted);
+        let interrupted = interrupted.map(|m| (m.effects.len(), m.wanted));
         if self.json {
             let object = json!({
                 "scene": scene.name,
@@ -89,7 +92,8 @@ impl EffectsOf {
             }
             answer(&text)?;
         }
-        if interrupted {
+        if let Some((done, all)) = interrupted {
+            tell(format_args!("interrupted: kept {done} of {all} effects"));
             return Err(Stop::Interrupted);
         }
         Ok(())
@@ -112,34 +116,37 @@ impl EffectsOf {
             bar.set_style(style.progress_chars("=> "));
         }
         let mut measured = Measurements {
+            wanted: effects.len(),
             effects: Vec::new(),
             all_on: None,
             interrupted: false,
         };
+        // The pictures tell nothing of themselves, but ask whether to stop.
+        let quiet = Bar::hidden(stop);
+        let compare =
+            |a: &Setup, b: &Setup| difference_watched(a, b, self.spp, self.rounds, &quiet);
         for effect in effects {
             bar.set_message(effect.name());
-            if stop.load(Ordering::Relaxed) {
-                measured.interrupted = true;
-                break;
-            }
             let only = Demand {
                 paths: None,
                 without: vec![effect],
             };
             let without = only.load_anything(&self.scene, small)?;
-            measured.effects.push(Measured {
-                effect,
-                difference: difference(&full, &without, self.spp, self.rounds),
-            });
+            let Some(difference) = compare(&full, &without) else {
+                break;
+            };
+            measured.effects.push(Measured { effect, difference });
             bar.inc(1);
         }
+        measured.interrupted = stop.load(Ordering::Relaxed);
         if !measured.interrupted {
             bar.set_message("all on");
             let all_on = Setup {
                 scene: full.scene.clone().with_all_effects(),
                 wanted: None,
             };
-            measured.all_on = Some(difference(&all_on, &full, self.spp, self.rounds));
+            measured.all_on = compare(&all_on, &full);
+            measured.interrupted = measured.all_on.is_none();
         }
         bar.finish_and_clear();
         Ok(measured)

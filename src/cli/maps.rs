@@ -1,6 +1,6 @@
 //! `halfdisk render --maps`: where in a picture samples are needed.
 
-use super::Stop;
+use super::{Stop, save};
 use crate::chart::{Axis, ChartError, HeatMap, required_chart};
 use crate::render::Film;
 use crate::render::accuracy::Accuracy;
@@ -64,8 +64,7 @@ impl Maps {
             let file = PathBuf::from(picture).with_extension(format!("{kind}.svg"));
             match svg {
                 Ok(svg) => {
-                    let failure = |e| Stop::Failure(format!("{}: {e}", file.display()));
-                    std::fs::write(&file, svg).map_err(failure)?;
+                    save(&file, svg)?;
                     written.push(file.display().to_string());
                 }
                 // A picture without any error needs no map of it.

@@ -1,7 +1,7 @@
 //! The `halfdisk` command, one file for each thing it does.
 //!
 //! Text for people goes to stderr, results to stdout. Exit codes: 0 done, 1 failed, 2 bad usage or
-//! input, 130 interrupted.
+//! input, 130 interrupted by Ctrl-C, 143 asked to terminate. A report that nobody can read ends nothing.
 
 mod classify;
 mod completions;
@@ -18,11 +18,11 @@ mod scenes;
 mod stop;
 mod tour;
 
-use crate::desk::INTERRUPTED;
-use crate::output::OutputError;
+use crate::desk::{self, interrupted_code, tell};
+use crate::output::{self, OutputError};
 use crate::scene::SceneError;
 use clap::{Parser, Subcommand};
-use std::io::{ErrorKind, Write};
+use std::path::Path;
 use std::process::ExitCode;
 
 /// Light transport by running it: from Whitted ray tracing to path tracing, step by step
@@ -42,7 +42,7 @@ Start here:
   halfdisk render mine.toml --spp 256 --out mine.exr
   halfdisk effects caustic            what does this scene call for, and why?
   halfdisk classify cornell           how much of its light came by which paths?
-  halfdisk render cornell --target-error 2%
+  halfdisk render spheres --target-error 2%
   halfdisk converge half-disk         how fast does its error fall?
   halfdisk cost cornell               what does accuracy cost?
   halfdisk doctor                     what do the usual mistakes read?";
@@ -70,8 +70,17 @@ enum Action {
 }
 
 impl Command {
-    /// Does what was asked.
-    pub fn run(self) -> ExitCode {
+    /// Reads the arguments, and does what they ask.
+    // Not compiled into its caller, which looks at the processor first.
+    #[inline(never)]
+    pub fn start() -> ExitCode {
+        match desk::arguments::<Command>() {
+            Ok(command) => command.run(),
+            Err(code) => code,
+        }
+    }
+
+    fn run(self) -> ExitCode {
         let result = match self.action {
             Action::Tour(tour) => tour.run(),
             Action::Render(render) => render.run(),
@@ -85,13 +94,13 @@ impl Command {
         };
         match result {
             Ok(()) => ExitCode::SUCCESS,
-            Err(Stop::Interrupted) => ExitCode::from(INTERRUPTED),
+            Err(Stop::Interrupted) => ExitCode::from(interrupted_code()),
             Err(Stop::Input(what)) => {
-                eprintln!("error: {what}");
+                tell(format_args!("error: {what}"));
                 ExitCode::from(2)
             }
             Err(Stop::Failure(what)) => {
-                eprintln!("error: {what}");
+                tell(format_args!("error: {what}"));
                 ExitCode::FAILURE
             }
         }
@@ -105,16 +114,32 @@ enum Stop {
     Input(String),
     /// Something went wrong on the way: exit code 1.
     Failure(String),
-    /// Ctrl-C: exit code 130.
+    /// Ctrl-C, or a request to terminate: exit code 130 or 143.
     Interrupted,
 }
 
-/// Writes a result to stdout; a reader who has seen enough and left is no failure.
+/// Writes a result to stdout. To be called when every file is written, since it may fail.
 fn answer(text: &str) -> Result<(), Stop> {
-    match std::io::stdout().write_all(text.as_bytes()) {
-        Err(e) if e.kind() == ErrorKind::BrokenPipe => Ok(()),
-        result => result.map_err(Stop::from),
-    }
+    desk::answer(text).map_err(|e| Stop::Failure(format!("stdout: {e}")))
+}
+
+/// The name of a scene's file without its ending, after which results are called; a scene of the
+/// gallery has its name.
+fn stem(scene: &str) -> String {
+    let stem = Path::new(scene).file_stem().unwrap_or_default();
+    stem.to_string_lossy().into_owned()
+}
+
+/// Checks, before the work is done, that results can be written into a folder, which is made.
+fn check_folder(folder: &Path) -> Result<(), Stop> {
+    let failure = |e| Stop::Failure(format!("{}: {e}", folder.display()));
+    output::can_save(&folder.join("index.html")).map_err(failure)
+}
+
+/// Writes a result's file: whole, or not at all.
+fn save(path: &Path, bytes: impl AsRef<[u8]>) -> Result<(), Stop> {
+    let failure = |e| Stop::Failure(format!("{}: {e}", path.display()));
+    output::save(path, bytes.as_ref()).map_err(failure)
 }
 
 /// Sets how many threads work; without a number, one for each core.
@@ -137,7 +162,7 @@ impl From<SceneError> for Stop {
 impl From<OutputError> for Stop {
     fn from(error: OutputError) -> Self {
         match error {
-            OutputError::Format(_) => Stop::Input(error.to_string()),
+            OutputError::Format(_) | OutputError::Needed(_) => Stop::Input(error.to_string()),
             _ => Stop::Failure(error.to_string()),
         }
     }

@@ -4,8 +4,8 @@ use super::demand::{Demand, bias_json, bias_line};
 use super::maps::Maps;
 use super::report::{as_json, report};
 use super::stop::{self, Ending};
-use super::{Stop, answer, use_threads};
-use crate::desk::{Bar, on_ctrl_c, whole};
+use super::{Stop, answer, stem, use_threads};
+use crate::desk::{Bar, on_ctrl_c, tell, whole};
 use crate::effects::{measure::Setup, plan};
 use crate::integrators::{
     Albedo, Depth, Integrator, Named, Normals, Path as PathTracer, Restricted, Whitted,
@@ -22,7 +22,7 @@ use std::path::PathBuf;
 /// Render a scene.
 ///
 /// The picture is a pure function of scene, integrator, seed and samples per pixel. Ctrl-C keeps what
-/// is there.
+/// is there; a second one ends at once.
 #[derive(Debug, Args)]
 #[command(after_help = AFTER_HELP)]
 pub struct Render {
@@ -50,7 +50,7 @@ pub struct Render {
     #[arg(long, allow_negative_numbers = true, value_parser = whole(1_u16..=1024))]
     threads: Option<u16>,
     /// The picture: .png for screens, .exr with errors and sample counts, .hdr
-    /// [default: out/SCENE.png]
+    /// [default: out/FILE.png after the scene's file; by another integrator than path out/FILE-NAME.png]
     #[arg(long, value_name = "FILE")]
     out: Option<PathBuf>,
     #[command(flatten)]
@@ -77,7 +77,7 @@ Examples:
       is the geometry right? colours are directions
   halfdisk render mine.toml --size 640x480 --spp 256 --out mine.exr
       a scene of your own, with the error of each pixel beside its value
-  halfdisk render cornell --target-error 2% --maps
+  halfdisk render gloss --target-error 2% --maps
       as many samples as it takes; and where they are needed
   halfdisk render caustic --time 30s
       the best picture of half a minute, and how good it is
@@ -135,7 +135,7 @@ pub(super) fn size(text: &str) -> Result<[u32; 2], String> {
 impl Render {
     pub(super) fn run(self) -> Result<(), Stop> {
         if cfg!(debug_assertions) && !self.quiet {
-            eprintln!("note: built for development; `cargo run --release` is several times faster");
+            tell("note: built for development; `cargo run --release` is several times faster");
         }
         let Setup { mut scene, wanted } = self.demand.load(&self.scene, |description| {
             if let Some(size) = self.size {
@@ -153,14 +153,17 @@ impl Render {
         }
         let max_depth = self.max_depth(&scene)?;
         // Checked before any work, so that none is lost to a misspelt name or a closed folder.
-        let path = self.path(&scene);
-        output::prepare(&path)?;
+        let path = self.path();
+        output::prepare(&path, &scene)?;
         use_threads(self.threads)?;
 
         if !self.quiet
             && let Some(lost) = plan::plan(&scene).out_of_reach
         {
-            eprintln!("note: {} is out of reach: {}", lost.paths, lost.reason);
+            tell(format_args!(
+                "note: {} is out of reach: {}",
+                lost.paths, lost.reason
+            ));
         }
         let light = |named: Named| self.with(&scene, &named.with(max_depth));
         let outcome = match self.integrator {
@@ -183,6 +186,10 @@ impl Render {
             },
         };
         let rendered = &outcome.rendered;
+        if rendered.interrupted && rendered.film.pixels().iter().all(|p| p.count() == 0) {
+            tell("interrupted before the first sample: nothing is written");
+            return Err(Stop::Interrupted);
+        }
         let display = match self.integrator {
             Method::Normals | Method::Albedo => Display::Data { white: 1.0 },
             Method::Depth => Display::Data {
@@ -195,38 +202,49 @@ impl Render {
             sampler: self.sampler(),
             ..Provenance::new(&scene, &self.integrator.name(), max_depth, spp, seed)
         };
-        output::write(&path, &rendered.film, display, &facts)?;
-        let bias = if self.demand.is_everything() || rendered.interrupted {
-            None
+        // All files first: what follows is for people, or may fail.
+        let kept = output::write_somewhere(&path, &rendered.film, display, &facts)?;
+        let path = &kept.path;
+        let maps = self.maps.write(path, &rendered.film, &self.ending.goal());
+        let biased = !self.demand.is_everything() && !rendered.interrupted;
+        let bias = if biased {
+            let quiet = Bar::hidden(on_ctrl_c());
+            self.demand
+                .bias(&self.scene, scene.size, outcome.spp, &quiet)?
         } else {
-            Some(self.demand.bias(&self.scene, scene.size, outcome.spp)?)
+            None
         };
+        let unmeasured = biased && bias.is_none();
         let too_bright = self.too_bright(&scene, rendered, max_depth);
         if !self.quiet {
-            eprint!("{}", report(&scene, &outcome, self.sampler(), too_bright));
-            eprint!(
-                "{}",
-                stop::report(&outcome, &self.ending.goal(), self.sampler())
-            );
+            let mut text = report(&scene, &outcome, self.sampler(), too_bright);
+            text += &stop::report(&outcome, &self.ending.goal(), self.sampler());
             if let Some(bias) = &bias {
-                eprint!("{}", bias_line(bias));
+                text += &bias_line(bias);
+            } else if unmeasured {
+                text +=
+                    "interrupted: the picture is complete, but what it lacks was not measured\n";
             }
-            eprintln!("wrote {}", path.display());
+            text += &format!("wrote {}", path.display());
+            for map in maps.iter().flatten() {
+                text += &format!("\nwrote {map}");
+            }
+            tell(text);
         }
-        let maps = self
-            .maps
-            .write(&path, &rendered.film, &self.ending.goal())?;
-        if !self.quiet {
-            maps.iter().for_each(|map| eprintln!("wrote {map}"));
-        }
+        let mut printed = Ok(());
         if self.json {
-            let mut object = as_json(&scene, &facts, &outcome, too_bright, &path);
+            let mut object = as_json(&scene, &facts, &outcome, too_bright, path);
             object["accuracy"] = stop::as_json(&outcome, &self.ending.goal());
-            object["maps"] = json!(maps);
+            object["maps"] = json!(maps.as_deref().unwrap_or_default());
             object["left_out"] = json!(bias.as_ref().map(bias_json));
-            answer(&(serde_json::to_string_pretty(&object)? + "\n"))?;
+            printed = answer(&(serde_json::to_string_pretty(&object)? + "\n"));
         }
-        if rendered.interrupted {
+        if let Some(what) = kept.complaint() {
+            return Err(Stop::Failure(what));
+        }
+        maps?;
+        printed?;
+        if rendered.interrupted || unmeasured {
             return Err(Stop::Interrupted);
         }
         Ok(())
@@ -260,11 +278,13 @@ impl Render {
     }
 
     /// Where the picture goes.
-    fn path(&self, scene: &Scene) -> PathBuf {
+    fn path(&self) -> PathBuf {
         self.out.clone().unwrap_or_else(|| {
-            // A scene's name may hold anything; a file's may not.
-            let safe = |c: char| c.is_alphanumeric() || "-_ ".contains(c);
-            let name = scene.name.replace(|c| !safe(c), "_");
+            let mut name = stem(&self.scene);
+            if self.integrator != Method::Path {
+                name += &format!("-{}", self.integrator.name());
+            }
+            name += &self.demand.suffix();
             PathBuf::from("out").join(name + ".png")
         })
     }

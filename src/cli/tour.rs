@@ -1,11 +1,13 @@
 //! `halfdisk tour`.
 
-use super::{Stop, answer, page};
-use crate::desk::{INTERRUPTED, Record, on_ctrl_c};
+use super::{Stop, answer, check_folder, page, save};
+use crate::desk::{Record, on_ctrl_c, tell};
 use clap::Args;
+use std::io::Read;
 use std::path::{Path, PathBuf};
-use std::process::{Command, Stdio};
+use std::process::{Command, Output, Stdio};
 use std::sync::atomic::Ordering;
+use std::time::{Duration, Instant};
 
 /// The chapters: short name and program.
 const CHAPTERS: &[(&str, &str)] = &[
@@ -27,7 +29,8 @@ const CHAPTERS: &[(&str, &str)] = &[
     ("ch18", "ch18-what-the-scene-asks"),
 ];
 
-/// Run the chapters in order; write the gallery page and the ledger.
+/// Run the chapters in order; write the gallery page and the ledger. Ctrl-C keeps the chapters that are
+/// done.
 #[derive(Debug, Args)]
 pub struct Tour {
     /// Fewer samples: a first look in seconds
@@ -61,6 +64,7 @@ fn chapter(text: &str) -> Result<usize, String> {
 
 impl Tour {
     pub(super) fn run(self) -> Result<(), Stop> {
+        check_folder(&self.out)?;
         let folder = programs()?;
         let chosen: Vec<(&str, &str)> = CHAPTERS
             .iter()
@@ -68,19 +72,29 @@ impl Tour {
             .filter(|(place, _)| self.only.is_empty() || self.only.contains(place))
             .map(|(_, names)| *names)
             .collect();
-        let stop = on_ctrl_c();
-        for (at, (id, program)) in chosen.iter().enumerate() {
-            if stop.load(Ordering::Relaxed) {
-                return Err(Stop::Interrupted);
-            }
-            let record = self.run_chapter(&folder, id, program)?;
+        let mut ended = Ok(());
+        let mut said = Ok(());
+        let mut done = 0;
+        for (id, program) in &chosen {
+            let record = match self.run_chapter(&folder, id, program) {
+                Ok(record) => record,
+                Err(why) => {
+                    ended = Err(why);
+                    break;
+                }
+            };
+            done += 1;
             let ledger = record.ledger.map(|l| l.to_string()).unwrap_or_default();
-            answer(&format!(
-                "[{}/{}] {id} {}: {ledger}\n",
-                at + 1,
-                chosen.len(),
-                record.title
-            ))?;
+            let count = chosen.len();
+            let line = format!("[{done}/{count}] {id} {}: {ledger}\n", record.title);
+            // The chapters are worth running where nobody can read about them.
+            said = said.and(answer(&line));
+        }
+        if matches!(ended, Err(Stop::Interrupted)) {
+            tell(format_args!(
+                "interrupted: kept {done} of {} chapters",
+                chosen.len()
+            ));
         }
         // The page shows every chapter that has results, also from an earlier run.
         let mut records = Vec::new();
@@ -89,14 +103,16 @@ impl Tour {
                 records.push(read_record(&self.out.join(id))?);
             }
         }
+        if records.is_empty() {
+            return ended.and(said);
+        }
         let index = self.out.join("index.html");
-        std::fs::write(&index, page::html(&records)?)
-            .map_err(|e| Stop::Failure(format!("{}: {e}", index.display())))?;
-        eprintln!(
+        save(&index, page::html(&records)?)?;
+        tell(format_args!(
             "open {} to see the pictures, the charts and the ledger",
             index.display()
-        );
-        Ok(())
+        ));
+        ended.and(said)
     }
 
     fn run_chapter(&self, folder: &Path, id: &str, program: &str) -> Result<Record, Stop> {
@@ -108,21 +124,56 @@ impl Tour {
         if self.quick {
             command.arg("--quick");
         }
-        let output = command
-            .output()
+        let output = finish(command)
             .map_err(|e| Stop::Failure(format!("{} cannot be started: {e}", program.display())))?;
-        // Ctrl-C reaches the chapter too, which may end by the signal itself.
-        let interrupted = output.status.code() == Some(i32::from(INTERRUPTED));
-        if interrupted || on_ctrl_c().load(Ordering::Relaxed) {
+        if on_ctrl_c().load(Ordering::Relaxed) {
             return Err(Stop::Interrupted);
         }
         if !output.status.success() {
             return Err(Stop::Failure(format!("{id} failed ({})", output.status)));
         }
         let folder = self.out.join(id);
-        std::fs::write(folder.join("output.txt"), output.stdout)?;
+        save(&folder.join("output.txt"), output.stdout)?;
         read_record(&folder)
     }
+}
+
+/// How long a chapter may take to end by itself, and how often it is looked at.
+const GRACE: Duration = Duration::from_millis(500);
+const OFTEN: Duration = Duration::from_millis(20);
+
+/// Runs a program to its end, or until a wish to stop: Ctrl-C reaches it, too, so that it may end by
+/// itself; a request to terminate may be this program's alone.
+fn finish(mut command: Command) -> std::io::Result<Output> {
+    let stop = on_ctrl_c();
+    let mut child = command.stdout(Stdio::piped()).spawn()?;
+    let pipe = child.stdout.take();
+    let reader = std::thread::spawn(move || {
+        let mut read = Vec::new();
+        let result = pipe.map_or(Ok(0), |mut pipe| pipe.read_to_end(&mut read));
+        result.map(|_| read)
+    });
+    let mut asked = None;
+    let status = loop {
+        if let Some(status) = child.try_wait()? {
+            break status;
+        }
+        if stop.load(Ordering::Relaxed) {
+            let asked = *asked.get_or_insert_with(Instant::now);
+            if asked.elapsed() > GRACE {
+                // Its files are whole at any time.
+                child.kill()?;
+                break child.wait()?;
+            }
+        }
+        std::thread::sleep(OFTEN);
+    };
+    let stdout = reader.join().unwrap_or_else(|_| Ok(Vec::new()))?;
+    Ok(Output {
+        status,
+        stdout,
+        stderr: Vec::new(),
+    })
 }
 
 fn read_record(folder: &Path) -> Result<Record, Stop> {

@@ -1,5 +1,6 @@
 //! A progress bar with the time left, on stderr; silent where that is no terminal.
 
+use super::tell;
 use crate::render::Progress;
 use crate::render::target::{Prediction, Reached};
 use indicatif::{ProgressBar, ProgressStyle};
@@ -57,7 +58,7 @@ impl Progress for Bar {
     /// Said at once, whether or not there is a terminal: a long wait may follow.
     fn predicted(&self, said: &Prediction) {
         if self.speaks {
-            self.bar.suspend(|| eprintln!("{said}"));
+            self.bar.suspend(|| tell(said));
         }
     }
 

@@ -5,23 +5,27 @@
 
 mod bar;
 mod interrupt;
+mod processor;
 mod record;
+mod tell;
 mod whole;
 
 pub use bar::Bar;
-pub use interrupt::{INTERRUPTED, on_ctrl_c};
+pub use interrupt::{interrupted_code, on_ctrl_c};
 pub use record::{Figure, Number, Record};
+pub use tell::{answer, tell};
 pub use whole::whole;
 
 use crate::chart::ChartError;
 use crate::ledger::Ledger;
-use crate::output::{Display, OutputError, Provenance, png_bytes};
+use crate::output::{Display, OutputError, Provenance, can_save, png_bytes, save};
 use crate::render::Film;
 use crate::scene::{Scene, SceneError};
 use crate::stats::Estimate;
 use clap::Parser;
-use std::io::Write;
-use std::path::PathBuf;
+use std::cell::RefCell;
+use std::io::ErrorKind;
+use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 use std::time::Instant;
 
@@ -94,23 +98,66 @@ pub struct Desk {
     folder: PathBuf,
     record: Record,
     start: Instant,
+    /// Why a line could not be printed: the first time.
+    unsaid: RefCell<Option<std::io::Error>>,
+}
+
+/// How a program begins, before anything else: the code to end with where the processor lacks what the
+/// program is built for.
+// In a function of its own, like what follows it: the caller must do nothing that such a processor cannot.
+#[inline(never)]
+pub fn begin() -> Result<(), ExitCode> {
+    if let Some(why) = processor::lacks() {
+        tell(why);
+        return Err(ExitCode::FAILURE);
+    }
+    interrupt::survive_large_files();
+    Ok(())
+}
+
+/// Reads the arguments of a program; where they are wrong, or only help is asked for, the code to end
+/// with.
+pub fn arguments<T: Parser>() -> Result<T, ExitCode> {
+    T::try_parse().map_err(|said| match said.print() {
+        Err(error) if !said.use_stderr() && error.kind() != ErrorKind::BrokenPipe => {
+            tell(format_args!("error: stdout: {error}"));
+            ExitCode::FAILURE
+        }
+        _ if said.use_stderr() => ExitCode::from(2),
+        _ => ExitCode::SUCCESS,
+    })
 }
 
 impl Desk {
     /// Runs a chapter: reads the options, makes its folder, lets it work, and turns an error into
     /// a sentence and an exit code.
-    pub fn run(chapter: Chapter, work: fn(&mut Desk) -> Result<Ledger, DeskError>) -> ExitCode {
-        let options = Options::parse();
-        match Desk::open(chapter, options).and_then(|mut desk| {
+    pub fn run(
+        chapter: &'static Chapter,
+        work: fn(&mut Desk) -> Result<Ledger, DeskError>,
+    ) -> ExitCode {
+        match begin() {
+            Ok(()) => Desk::work(chapter, work),
+            Err(code) => code,
+        }
+    }
+
+    #[inline(never)]
+    fn work(chapter: &Chapter, work: fn(&mut Desk) -> Result<Ledger, DeskError>) -> ExitCode {
+        let options = match arguments::<Options>() {
+            Ok(options) => options,
+            Err(code) => return code,
+        };
+        interrupt::end_soon(DeskError::Interrupted.to_string());
+        match Desk::open(*chapter, options).and_then(|mut desk| {
             let ledger = work(&mut desk)?;
             desk.close(ledger)
         }) {
             Ok(()) => ExitCode::SUCCESS,
             Err(error) => {
-                eprintln!("error: {error}");
+                tell(format_args!("error: {error}"));
                 match error {
                     DeskError::Scene(_) => ExitCode::from(2),
-                    DeskError::Interrupted => ExitCode::from(INTERRUPTED),
+                    DeskError::Interrupted => ExitCode::from(interrupted_code()),
                     _ => ExitCode::FAILURE,
                 }
             }
@@ -124,18 +171,18 @@ impl Desk {
                 .build_global()?;
         }
         let folder = options.out.join(chapter.id);
-        std::fs::create_dir_all(&folder)
+        can_save(&folder.join("data.json"))
             .map_err(|e| DeskError::File(folder.display().to_string(), e))?;
-        if !options.json {
-            print_line(&format!("{}: {}", chapter.id, chapter.title));
-            print_line(&format!("{}\n", chapter.question));
-        }
-        Ok(Desk {
+        let desk = Desk {
             record: Record::new(chapter, &options),
             options,
             folder,
             start: Instant::now(),
-        })
+            unsaid: RefCell::new(None),
+        };
+        desk.say(&format!("{}: {}", chapter.id, chapter.title));
+        desk.say(&format!("{}\n", chapter.question));
+        Ok(desk)
     }
 
     /// `full`, or `quick` where the user is in a hurry.
@@ -151,7 +198,14 @@ impl Desk {
     /// Says something that is not a number.
     pub fn say(&self, text: &str) {
         if !self.options.json {
-            print_line(text);
+            self.print(text);
+        }
+    }
+
+    /// Prints a line. The figures are still wanted where that fails; the program ends with the error.
+    fn print(&self, text: &str) {
+        if let Err(error) = answer(&format!("{text}\n")) {
+            self.unsaid.borrow_mut().get_or_insert(error);
         }
     }
 
@@ -188,8 +242,7 @@ impl Desk {
         caption: &str,
         bytes: impl AsRef<[u8]>,
     ) -> Result<(), DeskError> {
-        let path = self.folder.join(file);
-        std::fs::write(&path, bytes).map_err(|e| DeskError::File(path.display().to_string(), e))?;
+        save_as(&self.folder.join(file), bytes.as_ref())?;
         self.record.figures.push(Figure {
             file: file.to_owned(),
             caption: caption.to_owned(),
@@ -226,17 +279,19 @@ impl Desk {
         self.say(&format!("ledger: {ledger}"));
         self.record.ledger = Some(ledger);
         let path = self.folder.join("data.json");
-        let file_error = |e| DeskError::File(path.display().to_string(), e);
         let text = serde_json::to_string_pretty(&self.record)
-            .map_err(|e| file_error(std::io::Error::other(e)))?;
+            .map_err(|e| DeskError::File(path.display().to_string(), e.into()))?;
+        save_as(&path, format!("{text}\n").as_bytes())?;
         if self.options.json {
-            print_line(&text);
+            self.print(&text);
         }
-        std::fs::write(&path, text + "\n").map_err(file_error)
+        match self.unsaid.take() {
+            Some(error) => Err(DeskError::File("stdout".to_owned(), error)),
+            None => Ok(()),
+        }
     }
 }
 
-/// Prints a line; nobody there to read it is no reason to stop, for the figures are still wanted.
-fn print_line(text: &str) {
-    let _ = writeln!(std::io::stdout(), "{text}");
+fn save_as(path: &Path, bytes: &[u8]) -> Result<(), DeskError> {
+    save(path, bytes).map_err(|e| DeskError::File(path.display().to_string(), e))
 }

@@ -63,6 +63,13 @@ impl Difference {
 
 /// The pictures of a round: with, and without.
 type Pair = [Picture; 2];
+/// What leaving out saves and loses; see [`difference_watched`].
+pub fn difference(with: &Setup, without: &Setup, spp: u32, rounds: u32) -> Difference {
+    match difference_watched(with, without, spp, rounds, &()) {
+        Some(difference) => difference,
+        None => unreachable!("nobody asked it to stop"),
+    }
+}
 
 /// Renders `with` and `without` in turn, `rounds` times with seeds of their own; the two of a round
 /// share theirs, so that what differs is the effect.
@@ -70,10 +77,18 @@ type Pair = [Picture; 2];
 /// The noise of a round is independent of the others': the squared difference is estimated by
 /// products of the differences of two rounds, in which noise averages out.
 ///
+/// `None` where it was asked to stop before the last round was finished.
+///
 /// # Panics
 ///
 /// With fewer than three rounds, or pictures of different sizes.
-pub fn difference(with: &Setup, without: &Setup, spp: u32, rounds: u32) -> Difference {
+pub fn difference_watched(
+    with: &Setup,
+    without: &Setup,
+    spp: u32,
+    rounds: u32,
+    progress: &impl Progress,
+) -> Option<Difference> {
     assert!(rounds >= 3 && with.scene.size == without.scene.size);
     let mut log_time = Estimate::new();
     let mut rays = [0; 2];
@@ -85,7 +100,7 @@ pub fn difference(with: &Setup, without: &Setup, spp: u32, rounds: u32) -> Diffe
             sampler: Sampler::Sobol,
             ..Options::default()
         };
-        let run = |setup: &Setup| setup.render(&options, &());
+        let run = |setup: &Setup| setup.render(&options, progress);
         // Who goes first takes turns.
         let (a, b) = if round % 2 == 0 {
             let a = run(with);
@@ -94,13 +109,16 @@ pub fn difference(with: &Setup, without: &Setup, spp: u32, rounds: u32) -> Diffe
             let b = run(without);
             (run(with), b)
         };
+        if a.interrupted || b.interrupted {
+            return None;
+        }
         log_time.add(libm::log(a.time.as_secs_f64() / b.time.as_secs_f64()));
         rays[0] += a.rays.total();
         rays[1] += b.rays.total();
         pictures.push([a.film.picture(), b.film.picture()]);
     }
     let [(share, share_error), (rel_mse, rel_mse_error)] = changed(&pictures);
-    Difference {
+    Some(Difference {
         log_time,
         rays: rays[0] as f64 / (rays[1] as f64).max(1.0),
         traced: rays.iter().sum(),
@@ -108,7 +126,7 @@ pub fn difference(with: &Setup, without: &Setup, spp: u32, rounds: u32) -> Diffe
         share_error,
         rel_mse,
         rel_mse_error,
-    }
+    })
 }
 
 /// The share of the light and the squared relative error of what differs, each with its standard error.

@@ -5,7 +5,7 @@ use crate::color::Rgb;
 use crate::integrators::{Follow, Path};
 use crate::materials::Event;
 use crate::notation::{Letter, Word};
-use crate::render::{Options, camera_sample};
+use crate::render::{Options, Progress, camera_sample};
 use crate::scene::{Scene, Tracer};
 use crate::stats::Estimate;
 use rayon::prelude::*;
@@ -34,11 +34,25 @@ pub struct Words {
 /// Surfaces a word may have and still be told apart: two bits each.
 const LONGEST: u32 = 31;
 
+/// A picture's light by words; see [`words_watched`].
+pub fn words(scene: &Scene, path: &Path, options: &Options, replicates: u32) -> Words {
+    match words_watched(scene, path, options, replicates, &()) {
+        Some(words) => words,
+        None => unreachable!("nobody asked it to stop"),
+    }
+}
+
 /// Spells every path of `replicates` renders of a scene by `path`, with seeds from `options.seed`
-/// on.
+/// on. `None` where it was asked to stop before the last of them.
 ///
 /// Paths of more than 31 surfaces count as their last 31, at the light's end.
-pub fn words(scene: &Scene, path: &Path, options: &Options, replicates: u32) -> Words {
+pub fn words_watched(
+    scene: &Scene,
+    path: &Path,
+    options: &Options,
+    replicates: u32,
+    progress: &impl Progress,
+) -> Option<Words> {
     let mut shares: BTreeMap<Word, Share> = BTreeMap::new();
     let mut total = Estimate::new();
     let mut rays = 0;
@@ -47,7 +61,8 @@ pub fn words(scene: &Scene, path: &Path, options: &Options, replicates: u32) -> 
             seed: options.seed + u64::from(replicate),
             ..*options
         };
-        let (sums, sum, traced) = one_render(scene, path, &options);
+        let (sums, sum, traced) = one_render(scene, path, &options, progress)?;
+        progress.tell(u64::from(replicate) + 1, u64::from(replicates));
         rays += traced;
         let samples = f64::from(scene.size[0]) * f64::from(scene.size[1]) * f64::from(options.spp);
         total.add(sum / (3.0 * samples));
@@ -66,11 +81,11 @@ pub fn words(scene: &Scene, path: &Path, options: &Options, replicates: u32) -> 
             share.light.add(0.0);
         }
     }
-    Words {
+    Some(Words {
         shares,
         total,
         rays,
-    }
+    })
 }
 
 /// The light booked under a word: the sum over channels.
@@ -82,9 +97,14 @@ struct Booked {
 
 type Sums = BTreeMap<u64, Booked>;
 
-fn one_render(scene: &Scene, path: &Path, options: &Options) -> (Sums, f64, u64) {
+fn one_render(
+    scene: &Scene,
+    path: &Path,
+    options: &Options,
+    progress: &impl Progress,
+) -> Option<(Sums, f64, u64)> {
     let [width, height] = scene.size;
-    let rows: Vec<(Sums, f64, u64)> = (0..height)
+    let rows: Option<Vec<(Sums, f64, u64)>> = (0..height)
         .into_par_iter()
         .map(|y| {
             let mut tracer = Tracer::new(scene);
@@ -92,6 +112,9 @@ fn one_render(scene: &Scene, path: &Path, options: &Options) -> (Sums, f64, u64)
             let mut sum = 0.0;
             for x in 0..width {
                 for sample in 0..options.spp {
+                    if progress.stop() {
+                        return None;
+                    }
                     let (ray, stream) = camera_sample(&mut tracer, options, [x, y], sample);
                     speller.code = 1;
                     speller.li = Rgb::BLACK;
@@ -99,13 +122,13 @@ fn one_render(scene: &Scene, path: &Path, options: &Options) -> (Sums, f64, u64)
                     sum += channels(speller.li);
                 }
             }
-            (speller.sums, sum, tracer.counts().total())
+            Some((speller.sums, sum, tracer.counts().total()))
         })
         .collect();
     // In the order of rows, so that the sums are the same on any number of threads.
     let mut all = Sums::new();
     let (mut total, mut rays) = (0.0, 0);
-    for (sums, sum, traced) in rows {
+    for (sums, sum, traced) in rows? {
         total += sum;
         rays += traced;
         for (code, booked) in sums {
@@ -114,7 +137,7 @@ fn one_render(scene: &Scene, path: &Path, options: &Options) -> (Sums, f64, u64)
             entry.paths += booked.paths;
         }
     }
-    (all, total, rays)
+    Some((all, total, rays))
 }
 
 /// Books light under the word of its path.

@@ -8,8 +8,11 @@ use crate::stats::Estimate;
 use crate::stats::slope::{self, Fit, Insufficient};
 use rayon::prelude::*;
 use serde::Serialize;
+use std::collections::BTreeMap;
 use std::fmt::Write as _;
-use std::sync::atomic::{AtomicU64, Ordering};
+use std::sync::atomic::{AtomicU32, Ordering};
+use std::sync::mpsc::{self, RecvTimeoutError};
+use std::time::Duration;
 
 /// An estimator with a name and a known truth.
 #[derive(Clone, Copy, Debug)]
@@ -121,27 +124,54 @@ pub fn converge(estimator: &Estimator, design: &Design) -> Convergence {
     gathered(estimator, design, &sizes, errors)
 }
 
-/// The same, telling after each run at all sizes how many are done; nothing once asked to stop.
+/// How often it is asked whether to stop.
+const OFTEN: Duration = Duration::from_millis(50);
+
+/// The same, telling how many runs at all sizes are done. Once asked to stop, it gives what a design of
+/// the first replicates gives, as many as are finished without a gap; nothing where there are none.
+///
+/// The runs are left to the threads of the pool: one may take minutes, and nobody waits for it after
+/// the wish to stop. So this is not to be called on a thread of the pool.
 pub fn converge_watched(
     estimator: &Estimator,
     design: &Design,
     progress: &impl Progress,
 ) -> Option<Convergence> {
     let sizes = estimator.sizes.list(design);
-    let done = AtomicU64::new(0);
-    let errors: Option<Vec<_>> = (0..design.replicates)
-        .into_par_iter()
-        .map(|r| {
-            if progress.stop() {
-                return None;
+    let (sender, finished) = mpsc::channel();
+    let next = AtomicU32::new(0);
+    let count = design.replicates;
+    let one = {
+        let (estimator, design, sizes) = (*estimator, *design, sizes.clone());
+        move |r| replicate(&estimator, &design, &sizes, r)
+    };
+    // Handed out in the order of their numbers, so that there are few gaps.
+    rayon::spawn_broadcast(move |_| {
+        loop {
+            let r = next.fetch_add(1, Ordering::Relaxed);
+            // Nobody listens any more after the wish to stop.
+            if r >= count || sender.send((r, one(r))).is_err() {
+                return;
             }
-            let row = replicate(estimator, design, &sizes, r);
-            let done = done.fetch_add(1, Ordering::Relaxed) + 1;
-            progress.tell(done, u64::from(design.replicates));
-            Some(row)
-        })
-        .collect();
-    Some(gathered(estimator, design, &sizes, errors?))
+        }
+    });
+    let mut errors = BTreeMap::new();
+    while !progress.stop() {
+        match finished.recv_timeout(OFTEN) {
+            Ok((r, row)) => {
+                errors.insert(r, row);
+                progress.tell(errors.len() as u64, u64::from(design.replicates));
+            }
+            Err(RecvTimeoutError::Timeout) => {}
+            Err(RecvTimeoutError::Disconnected) => break,
+        }
+    }
+    let errors: Vec<_> = (0..).map_while(|r| errors.remove(&r)).collect();
+    let design = Design {
+        replicates: errors.len() as u32,
+        ..*design
+    };
+    (!errors.is_empty()).then(|| gathered(estimator, &design, &sizes, errors))
 }
 
 /// The errors of one replicate at each size, every run under a seed that no other has.

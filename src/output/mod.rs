@@ -1,17 +1,20 @@
 //! Pictures as files: PNG for the screen, EXR and HDR for the numbers.
 
 mod exr_file;
+mod file;
 mod hdr_file;
 mod png_file;
 mod read;
 
+pub use file::{can_save, save};
 pub use png_file::png_bytes;
 pub use read::read;
 
 use crate::render::Film;
 use crate::sampling::stream::Sampler;
 use crate::scene::Scene;
-use std::path::Path;
+use std::io;
+use std::path::{Path, PathBuf};
 
 /// How values become the shades of a screen.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -81,6 +84,15 @@ impl Format {
             _ => None,
         }
     }
+
+    /// The ending of its names.
+    fn ending(self) -> &'static str {
+        match self {
+            Format::Png => "png",
+            Format::Exr => "exr",
+            Format::Hdr => "hdr",
+        }
+    }
 }
 
 /// Why a picture was not written.
@@ -91,7 +103,16 @@ pub enum OutputError {
     Format(String),
     /// The file system refused.
     #[error("{0}: {1}")]
-    File(String, std::io::Error),
+    File(String, io::Error),
+    /// The scene is made from what stands there.
+    #[error("{0}: the scene needs this file, so it cannot be replaced: choose another name")]
+    Needed(String),
+    /// The file system refused, and so did the folder for temporary files.
+    #[error(
+        "{0}: {1}; nor could the picture be kept elsewhere: {2}; with --out on another disk the same \
+         command renders the same picture"
+    )]
+    Lost(String, io::Error, Box<OutputError>),
     /// What is in the file is no picture.
     #[error("{0} {1}")]
     Reading(String, String),
@@ -100,27 +121,19 @@ pub enum OutputError {
     Encoding(String, String),
 }
 
-/// Checks, before the work is done, that a picture can be written here; folders are made where they
-/// are missing.
-pub fn prepare(path: &Path) -> Result<(), OutputError> {
-    let failure = |e| OutputError::File(path.display().to_string(), e);
-    Format::of(path).ok_or_else(|| OutputError::Format(path.display().to_string()))?;
-    if let Some(folder) = path.parent() {
-        std::fs::create_dir_all(folder).map_err(failure)?;
+/// Checks, before the work is done, that a picture can be written here, and that the scene does not need
+/// what stands here; folders are made where they are missing.
+pub fn prepare(path: &Path, scene: &Scene) -> Result<(), OutputError> {
+    let name = || path.display().to_string();
+    Format::of(path).ok_or_else(|| OutputError::Format(name()))?;
+    if scene.needs(path) {
+        return Err(OutputError::Needed(name()));
     }
-    let is_new = !path.exists();
-    let open = std::fs::OpenOptions::new()
-        .append(true)
-        .create(true)
-        .open(path);
-    open.map_err(failure)?;
-    if is_new {
-        std::fs::remove_file(path).map_err(failure)?;
-    }
-    Ok(())
+    can_save(path).map_err(|e| OutputError::File(name(), e))
 }
 
-/// Writes a picture in the format its name asks for; folders are made where they are missing.
+/// Writes a picture in the format its name asks for; folders are made where they are missing. Where it
+/// cannot be written, what stood there stays.
 pub fn write(
     path: &Path,
     film: &Film,
@@ -128,13 +141,74 @@ pub fn write(
     provenance: &Provenance,
 ) -> Result<(), OutputError> {
     let name = || path.display().to_string();
-    let bytes = match Format::of(path).ok_or_else(|| OutputError::Format(name()))? {
-        Format::Png => png_bytes(film, display, provenance)?,
-        Format::Exr => exr_file::bytes(film, provenance)?,
-        Format::Hdr => hdr_file::bytes(film)?,
-    };
-    if let Some(folder) = path.parent() {
-        std::fs::create_dir_all(folder).map_err(|e| OutputError::File(name(), e))?;
+    let format = Format::of(path).ok_or_else(|| OutputError::Format(name()))?;
+    let bytes = encoded(format, film, display, provenance)?;
+    save(path, &bytes).map_err(|e| OutputError::File(name(), e))
+}
+
+/// Where a picture is.
+#[derive(Debug)]
+pub struct Kept {
+    /// Its file.
+    pub path: PathBuf,
+    /// Why that is not the file it should be, but one in the folder for temporary files.
+    pub refused: Option<OutputError>,
+}
+
+impl Kept {
+    /// What is wrong with where it is.
+    pub fn complaint(&self) -> Option<String> {
+        let refused = self.refused.as_ref()?;
+        Some(format!(
+            "{refused}; the picture is in {}",
+            self.path.display()
+        ))
     }
-    std::fs::write(path, bytes).map_err(|e| OutputError::File(name(), e))
+}
+
+/// Like [`write`], for a picture that took long: where its file cannot be written, on a full disk, the
+/// picture is kept in the folder for temporary files, and if there is little room there, too, as PNG.
+pub fn write_somewhere(
+    path: &Path,
+    film: &Film,
+    display: Display,
+    provenance: &Provenance,
+) -> Result<Kept, OutputError> {
+    let (name, error) = match write(path, film, display, provenance) {
+        Ok(()) => {
+            let path = path.to_owned();
+            let refused = None;
+            return Ok(Kept { path, refused });
+        }
+        Err(OutputError::File(name, error)) => (name, error),
+        Err(other) => return Err(other),
+    };
+    let stem = path.file_stem().unwrap_or_default();
+    let keep = |format| {
+        let bytes = encoded(format, film, display, provenance)?;
+        file::keep(stem, format.ending(), &bytes)
+            .map_err(|e| OutputError::File(std::env::temp_dir().display().to_string(), e))
+    };
+    let wanted = Format::of(path).unwrap_or(Format::Png);
+    match keep(wanted).or_else(|_| keep(Format::Png)) {
+        Ok(path) => Ok(Kept {
+            path,
+            refused: Some(OutputError::File(name, error)),
+        }),
+        Err(again) => Err(OutputError::Lost(name, error, Box::new(again))),
+    }
+}
+
+/// A picture as the bytes of a file.
+fn encoded(
+    format: Format,
+    film: &Film,
+    display: Display,
+    provenance: &Provenance,
+) -> Result<Vec<u8>, OutputError> {
+    match format {
+        Format::Png => png_bytes(film, display, provenance),
+        Format::Exr => exr_file::bytes(film, provenance),
+        Format::Hdr => hdr_file::bytes(film),
+    }
 }

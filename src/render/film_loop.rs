@@ -110,14 +110,14 @@ impl<'a> Session<'a> {
         let total = pixels * u64::from(spp.max(options.spp));
         let done = AtomicU64::new(pixels * u64::from(self.spp));
         let interrupted = AtomicBool::new(self.interrupted);
+        let stop = || interrupted.load(Ordering::Relaxed) || progress.stop();
 
         for pass in passes(self.spp, spp) {
             self.tiles.par_iter_mut().for_each(|tile| {
-                if interrupted.load(Ordering::Relaxed) || progress.stop() {
+                if !tile.sample(scene, integrator, options, pass.clone(), &stop) {
                     interrupted.store(true, Ordering::Relaxed);
                     return;
                 }
-                tile.sample(scene, integrator, options, pass.clone());
                 let samples = tile.pixels.len() as u64 * u64::from(pass.end - pass.start);
                 let before = done.fetch_add(samples, Ordering::Relaxed);
                 progress.tell(before + samples, total);
@@ -223,13 +223,16 @@ fn tiles([width, height]: [u32; 2], side: u32) -> Vec<Tile> {
 }
 
 impl Tile {
+    /// Takes the samples of a pass; false where it was stopped before its last pixel. It asks before each
+    /// sample: a pass over a tile may have thousands, and a sample take a millisecond.
     fn sample(
         &mut self,
         scene: &Scene,
         integrator: &dyn Integrator,
         options: &Options,
         pass: Range<u32>,
-    ) {
+        stop: &(dyn Fn() -> bool + Sync),
+    ) -> bool {
         let mut tracer = Tracer::new(scene);
         let columns = self.x.clone();
         let places = self
@@ -238,8 +241,13 @@ impl Tile {
             .flat_map(|y| columns.clone().map(move |x| (x, y)));
         let run = even_run(pass.start);
         let ends_run = options.sampler == Sampler::Sobol && pass.end == run.end;
-        for ((x, y), pixel) in places.zip(&mut self.pixels) {
+        let mut whole = true;
+        'pixels: for ((x, y), pixel) in places.zip(&mut self.pixels) {
             for sample in pass.clone() {
+                whole = !stop();
+                if !whole {
+                    break 'pixels;
+                }
                 let (ray, stream) = camera_sample(&mut tracer, options, [x, y], sample);
                 let li = integrator.li(&mut tracer, &ray, &stream);
                 if self.watch.admits(li, BadSample { x, y, sample }) {
@@ -251,6 +259,7 @@ impl Tile {
             }
         }
         self.rays += tracer.counts();
+        whole
     }
 }
 

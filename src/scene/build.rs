@@ -118,6 +118,7 @@ pub fn build(said: &Description, folder: Option<&Path>) -> Checked<Scene> {
             degenerate_triangles: parts.degenerate_triangles,
             coarse,
             hidden_lamps: parts.hidden_lamps,
+            files: Vec::new(),
             time: Duration::ZERO,
         },
         kinds: kinds(&parts.objects),

@@ -11,7 +11,7 @@ use serde::de::{self, Deserialize, Deserializer, SeqAccess, Visitor};
 use std::collections::BTreeMap;
 use std::fmt;
 use std::marker::PhantomData;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 /// Three coordinates.
 pub type Triple = Exactly<f64, 3>;
@@ -46,6 +46,18 @@ pub struct Description {
     /// Lights without a surface.
     #[serde(default)]
     pub lights: Vec<Light>,
+}
+
+impl Description {
+    /// The files that it names, as they are written.
+    pub fn files(&self) -> impl Iterator<Item = &Path> {
+        let meshes = self
+            .objects
+            .iter()
+            .filter_map(|o| Some(&o.mesh.as_ref()?.file));
+        let images = self.environment.iter().filter_map(|e| e.image.as_ref());
+        meshes.chain(images).map(PathBuf::as_path)
+    }
 }
 
 /// Suggested settings of a render.

@@ -75,7 +75,11 @@ pub fn load_with(scene: &str, change: impl FnOnce(&mut Description)) -> Result<S
         file: scene,
         text: &text,
     };
-    from_text(source, folder, change)
+    let mut scene = from_text(source, folder, change)?;
+    if folder.is_some() {
+        scene.report.files.push(source.file.into());
+    }
+    Ok(scene)
 }
 
 /// The error of a name that is neither in the gallery nor a file.
@@ -91,8 +95,13 @@ pub fn from_text(
 ) -> Result<Scene, SceneError> {
     let start = Instant::now();
     let mut description: Description = source.parse()?;
+    // Before the change, which may have no use for some of them.
+    let beside = folder.unwrap_or(Path::new(""));
+    let files = description.files().map(|f| beside.join(f));
+    let files = files.collect();
     change(&mut description);
     let mut scene = build(&description, folder).map_err(|problem| source.locate(&problem))?;
+    scene.report.files = files;
     scene.report.time = start.elapsed();
     Ok(scene)
 }

@@ -41,6 +41,7 @@ use crate::materials::Material;
 use contacts::Contacts;
 use glam::Vec3;
 use motion::InMotion;
+use std::path::{Path, PathBuf};
 use std::time::Duration;
 
 /// A scene ready to be rendered.
@@ -117,6 +118,15 @@ impl Scene {
         self.dark
     }
 
+    /// True where a path, by whatever way, leads to a file that the scene was made from.
+    pub fn needs(&self, path: &Path) -> bool {
+        let same = |a: &Path| a.canonicalize().ok();
+        same(path).is_some_and(|path| {
+            let mut files = self.report.files.iter();
+            files.any(|file| same(file).as_ref() == Some(&path))
+        })
+    }
+
     /// Radiance along a ray that leaves the scene in the unit `direction`.
     pub fn background(&self, direction: Vec3) -> Rgb {
         match self.environment_light.and_then(|i| self.lights.get(i)) {
@@ -159,6 +169,8 @@ pub struct BuildReport {
     pub hidden_lamps: usize,
     /// What is too small for the numbers that say where it is.
     pub coarse: Option<Coarse>,
+    /// The files it was made from: the scene's own, meshes and images. A scene of the gallery has none.
+    pub files: Vec<PathBuf>,
     /// Time to read, check and build.
     pub time: Duration,
 }

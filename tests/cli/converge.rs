@@ -198,8 +198,16 @@ fn ctrl_c_keeps_what_is_finished() {
     assert_eq!(output.status.code(), Some(130), "{said}");
     let kept = said.contains("interrupted: 1 of 2 estimators");
     assert!(kept || said.contains("interrupted: 0 of 2"), "{said}");
-    let file = folder.path().join("out/converge/midpoints.csv");
-    assert_eq!(file.exists(), kept);
+    // Of the second one the runs are kept that were finished, if any were.
+    let began = said.contains("runs of product-8 are kept");
+    let names = [
+        ("midpoints", kept && !began),
+        ("midpoints+product-8", began),
+    ];
+    for (name, there) in names {
+        let file = folder.path().join(format!("out/converge/{name}.csv"));
+        assert_eq!(file.exists(), there, "{said}");
+    }
 }
 
 #[test]

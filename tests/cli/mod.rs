@@ -6,9 +6,12 @@ mod commands;
 mod converge;
 mod cost;
 mod doctor;
+mod interrupts;
 pub mod meshes;
 mod options;
 mod target;
+mod unheard;
+mod whole_files;
 
 use std::path::Path;
 use std::process::{Command, Output};

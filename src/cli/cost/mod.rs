@@ -4,18 +4,18 @@ mod page;
 mod text;
 
 use super::render::size;
-use super::{Stop, answer, use_threads};
+use super::{Stop, answer, check_folder, save, stem, use_threads};
 use crate::chart::{Against, ChartError, cost_chart};
-use crate::desk::{Bar, on_ctrl_c, whole};
+use crate::desk::{Bar, on_ctrl_c, tell, whole};
 use crate::experiment::cost::strip::{Shown, affordable, needed, show};
 use crate::experiment::cost::{
     ALL, BASE, Budget, Design, Measured, Method, Nothing, PriceList, Priced, Verdict, measure,
 };
-use crate::output::{Display, Provenance, png_bytes};
+use crate::output::{self, Display, Provenance, png_bytes};
 use crate::render::{Film, Progress};
 use crate::scene::{Scene, gallery};
 use clap::Args;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 use std::sync::atomic::Ordering;
 
 /// Measure what accuracy costs: error against seconds and rays for every method.
@@ -48,7 +48,8 @@ pub struct Cost {
     /// Threads for the pictures that are timed
     #[arg(long, default_value_t = 1, allow_negative_numbers = true, value_parser = whole(1_u16..=1024))]
     threads: u16,
-    /// Folder for the page, the charts and the numbers [default: out/cost/SCENE]
+    /// Folder for the page, the charts and the numbers [default: out/cost/FILE, after the
+    /// scene's file]
     #[arg(long, value_name = "DIR")]
     out: Option<PathBuf>,
     /// Print JSON in place of the table
@@ -101,7 +102,7 @@ struct Report {
 impl Cost {
     pub(super) fn run(self) -> Result<(), Stop> {
         if cfg!(debug_assertions) {
-            eprintln!("note: built for development; `cargo run --release` is several times faster");
+            tell("note: built for development; `cargo run --release` is several times faster");
         }
         let mut full = [0; 2];
         let scene = gallery::load_with(&self.scene, |said| {
@@ -112,6 +113,7 @@ impl Cost {
             said.film.size = self.size.unwrap_or_else(|| small(full)).map(i64::from);
         })?;
         let (methods, left_out) = self.methods(&scene)?;
+        let folder = self.folder(&scene, &methods)?;
         use_threads(None)?;
         let stop = on_ctrl_c();
         let design = Design {
@@ -123,7 +125,10 @@ impl Cost {
         .within(self.budget, &methods);
         let measured = measure(&scene, &methods, &design, &Bar::new(&scene.name, stop));
         let measured = measured.map_err(|nothing| match nothing {
-            Nothing::Stopped => Stop::Interrupted,
+            Nothing::Stopped => {
+                tell("interrupted before the first replicate was finished: nothing is written");
+                Stop::Interrupted
+            }
             Nothing::Threads(_) => Stop::Failure(nothing.to_string()),
         })?;
         let mut report = Report {
@@ -138,25 +143,43 @@ impl Cost {
             let bar = Bar::new("pictures", stop);
             self.strips(&scene, &measured, &design, &mut report, &bar)?;
         }
-        let folder = self.write(&scene, &report)?;
+        // The table is worth having where the files cannot be written.
+        let written = self.write(&scene, &report, &folder);
         let json = || serde_json::to_string_pretty(&report.list).map(|text| text + "\n");
         answer(&if self.json {
             json()?
         } else {
             text::table(&report)
         })?;
-        eprintln!(
+        written?;
+        tell(format_args!(
             "open {} to see charts and pictures",
             folder.join("index.html").display()
-        );
-        if measured.interrupted {
-            let (done, all) = (measured.replicates, self.replicates);
-            eprintln!("interrupted: {done} of {all} replicates were finished");
+        ));
+        if !stop.load(Ordering::Relaxed) {
+            return Ok(());
         }
-        match stop.load(Ordering::Relaxed) {
-            true => Err(Stop::Interrupted),
-            false => Ok(()),
+        let (done, all) = (measured.replicates, self.replicates);
+        tell(format_args!(
+            "interrupted: {done} of {all} replicates were finished; {} pictures to look at are kept",
+            report.equal_time.len() + report.equal_error.len()
+        ));
+        Err(Stop::Interrupted)
+    }
+
+    /// The folder of the results, if nothing there that the scene needs would be replaced.
+    fn folder(&self, scene: &Scene, methods: &[Method]) -> Result<PathBuf, Stop> {
+        let folder = self.out.clone();
+        let folder = folder.unwrap_or_else(|| PathBuf::from("out/cost").join(stem(&self.scene)));
+        check_folder(&folder)?;
+        let kinds = ["time", "time_off", "error", "error_off"];
+        for kind in kinds {
+            for method in methods {
+                let picture = folder.join(format!("{kind}_{}.png", method.name));
+                output::prepare(&picture, scene)?;
+            }
         }
+        Ok(folder)
     }
 
     /// The methods that were asked for and can render the scene, and why others cannot.
@@ -227,13 +250,8 @@ impl Cost {
         Ok(())
     }
 
-    /// Writes page, charts, pictures and numbers; returns their folder.
-    fn write(&self, scene: &Scene, report: &Report) -> Result<PathBuf, Stop> {
-        let folder = self.out.clone().unwrap_or_else(|| {
-            // A scene's name may hold anything; a folder's may not.
-            let safe = |c: char| c.is_alphanumeric() || "-_ ".contains(c);
-            PathBuf::from("out/cost").join(scene.name.replace(|c| !safe(c), "_"))
-        });
+    /// Writes page, charts, pictures and numbers.
+    fn write(&self, scene: &Scene, report: &Report, folder: &Path) -> Result<(), Stop> {
         let mut files: Vec<(String, Vec<u8>)> = vec![
             ("cost.csv".to_owned(), text::csv(&report.list).into_bytes()),
             (
@@ -250,7 +268,7 @@ impl Cost {
                     files.push((format!("{name}.svg"), svg.into_bytes()));
                 }
                 // Without any error there is no place on logarithmic axes.
-                Err(ChartError::Empty(_)) => eprintln!("note: no error anywhere, so no chart"),
+                Err(ChartError::Empty(_)) => tell("note: no error anywhere, so no chart"),
                 Err(error) => return Err(Stop::Failure(error.to_string())),
             }
         }
@@ -278,13 +296,10 @@ impl Cost {
             "index.html".to_owned(),
             page::html(report, &charts)?.into_bytes(),
         ));
-        let failure = |path: &std::path::Path, e| Stop::Failure(format!("{}: {e}", path.display()));
-        std::fs::create_dir_all(&folder).map_err(|e| failure(&folder, e))?;
         for (name, bytes) in files {
-            let path = folder.join(name);
-            std::fs::write(&path, bytes).map_err(|e| failure(&path, e))?;
+            save(&folder.join(name), bytes)?;
         }
-        Ok(folder)
+        Ok(())
     }
 }
 
