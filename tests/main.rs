@@ -23,6 +23,7 @@ mod notation;
 mod path;
 mod peers;
 mod six_integrals;
+mod stopping;
 mod table;
 mod target;
 mod tidy;

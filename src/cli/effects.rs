@@ -18,21 +18,21 @@ use std::sync::atomic::Ordering;
 pub struct EffectsOf {
     /// A scene of the gallery (see `halfdisk scenes`), or a path to a .toml file
     scene: String,
-    #[command(flatten)]
-    demand: Demand,
     /// Measure what each effect costs in time and changes in the picture: renders the scene with and
     /// without it, in turn
     #[arg(long)]
     measure: bool,
     /// Samples per pixel of each of these renders
-    #[arg(long, default_value_t = 16, value_parser = clap::value_parser!(u32).range(1..=65_536))]
+    #[arg(long, requires = "measure", default_value_t = 16, value_parser = clap::value_parser!(u32).range(1..=65_536))]
     spp: u32,
     /// How often each is rendered
-    #[arg(long, default_value_t = 6, value_parser = clap::value_parser!(u32).range(3..=1000))]
+    #[arg(long, requires = "measure", default_value_t = 6, value_parser = clap::value_parser!(u32).range(3..=1000))]
     rounds: u32,
     /// Print all of it as JSON
     #[arg(long)]
     json: bool,
+    #[command(flatten)]
+    demand: Demand,
 }
 
 const AFTER_HELP: &str = "\

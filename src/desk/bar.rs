@@ -1,7 +1,7 @@
 //! A progress bar with the time left, on stderr; silent where that is no terminal.
 
 use crate::render::Progress;
-use crate::render::target::{Prediction, Reached};
+use crate::render::target::{Pilot, Prediction, Reached};
 use indicatif::{ProgressBar, ProgressStyle};
 use std::sync::atomic::{AtomicBool, Ordering};
 
@@ -59,6 +59,10 @@ impl Progress for Bar {
         if self.speaks {
             self.bar.suspend(|| eprintln!("{said}"));
         }
+    }
+
+    fn piloted(&self, pilot: &Pilot) {
+        self.bar.set_prefix(format!("; pilot: {pilot}"));
     }
 
     fn reached(&self, reached: &Reached) {

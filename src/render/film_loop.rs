@@ -1,5 +1,6 @@
 //! Passes over tiles over threads.
 
+use super::clock::Clock;
 use super::progress::Progress;
 use super::watch::{Faults, Watch};
 use super::{BadSample, Film, Pixel};
@@ -60,6 +61,26 @@ pub struct Rendered {
     pub interrupted: bool,
 }
 
+impl Rendered {
+    /// The mean of the picture and its error: never less than [`rounding`] lets it be known, and infinite
+    /// where no sample found any light.
+    pub fn mean(&self) -> (f64, f64) {
+        let (mean, error) = self.film.mean();
+        let least = match mean {
+            0.0 => f64::INFINITY,
+            _ => mean.abs() * rounding(&self.rays),
+        };
+        (mean, error.max(least))
+    }
+}
+
+/// The relative error below which the scatter of samples says nothing: each sample is a product and a
+/// sum in `f32` along a path, rounded once for each segment, alike in all samples.
+pub fn rounding(rays: &RayCounts) -> f64 {
+    let segments = (rays.camera + rays.secondary) as f64 / rays.camera.max(1) as f64;
+    0.5 * f64::from(f32::EPSILON) * segments
+}
+
 /// Renders a scene on the threads of the current rayon pool.
 pub fn render(
     scene: &Scene,
@@ -110,14 +131,14 @@ impl<'a> Session<'a> {
         let total = pixels * u64::from(spp.max(options.spp));
         let done = AtomicU64::new(pixels * u64::from(self.spp));
         let interrupted = AtomicBool::new(self.interrupted);
+        let stop = || interrupted.load(Ordering::Relaxed) || progress.stop();
 
         for pass in passes(self.spp, spp) {
             self.tiles.par_iter_mut().for_each(|tile| {
-                if interrupted.load(Ordering::Relaxed) || progress.stop() {
+                if !tile.sample(scene, integrator, options, pass.clone(), &stop) {
                     interrupted.store(true, Ordering::Relaxed);
                     return;
                 }
-                tile.sample(scene, integrator, options, pass.clone());
                 let samples = tile.pixels.len() as u64 * u64::from(pass.end - pass.start);
                 let before = done.fetch_add(samples, Ordering::Relaxed);
                 progress.tell(before + samples, total);
@@ -126,6 +147,52 @@ impl<'a> Session<'a> {
         self.spp = self.spp.max(spp);
         self.time += start.elapsed();
         self.interrupted = interrupted.into_inner();
+    }
+
+    /// Goes on until each pixel has `spp` samples, it is stopped, or time is up; true in the last case.
+    ///
+    /// Samples are taken in passes of one for each pixel. The pass that the clock cuts off is dropped,
+    /// whole; only where the clock waits for it is the first one finished. That keeps the picture
+    /// unbiased, though bright paths may take longer than dark ones: that `n` passes were finished in
+    /// time says the same of each of them, so their mean expects what the first of them does; and over
+    /// all `n` that is the light, for the first is always kept. To keep the pass that is cut off, which
+    /// is more likely a slow one, would be biased.
+    ///
+    /// Source: Glynn, Heidelberger, Bias Properties of Budget Constrained Simulations (Operations
+    /// Research 38(5), 1990). It asks that passes can be exchanged, which samples that lie evenly can
+    /// only from run to run; what that leaves is measured in `tests/stopping.rs`.
+    pub(super) fn advance_within(
+        &mut self,
+        spp: u32,
+        clock: &Clock,
+        progress: &dyn Progress,
+    ) -> bool {
+        if self.spp == 0 && spp > 0 && clock.waits {
+            self.advance(1, progress);
+            clock.tell();
+        }
+        let start = Instant::now();
+        let (scene, integrator, options) = (self.scene, self.integrator, &self.options);
+        let stop = || clock.late() || progress.stop();
+        let mut late = false;
+        while self.spp < spp && !self.interrupted && !late {
+            let pass = self.spp..self.spp + 1;
+            let one = |tile: &Tile| {
+                let mut tile = tile.clone();
+                let whole = tile.sample(scene, integrator, options, pass.clone(), &stop);
+                whole.then_some(tile)
+            };
+            let next: Option<Vec<Tile>> = self.tiles.par_iter().map(one).collect();
+            self.interrupted = progress.stop();
+            late = clock.late();
+            if let Some(tiles) = next.filter(|_| !late) {
+                self.tiles = tiles;
+                self.spp = pass.end;
+            }
+            clock.tell();
+        }
+        self.time += start.elapsed();
+        late
     }
 
     /// The samples of each pixel so far, or, once interrupted, at most.
@@ -141,6 +208,17 @@ impl<'a> Session<'a> {
     /// True once it was stopped.
     pub fn interrupted(&self) -> bool {
         self.interrupted
+    }
+
+    /// The least relative error that can be told of the picture: see [`rounding`].
+    pub fn rounding(&self) -> f64 {
+        rounding(&self.rays())
+    }
+
+    fn rays(&self) -> RayCounts {
+        let mut rays = RayCounts::default();
+        self.tiles.iter().for_each(|tile| rays += tile.rays);
+        rays
     }
 
     /// The picture so far.
@@ -159,15 +237,11 @@ impl<'a> Session<'a> {
 
     /// The end of it.
     pub fn finish(self) -> Rendered {
-        let mut rays = RayCounts::default();
         let mut watch = Watch::default();
-        for tile in &self.tiles {
-            rays += tile.rays;
-            watch.join(tile.watch);
-        }
+        self.tiles.iter().for_each(|tile| watch.join(tile.watch));
         Rendered {
             film: self.film(),
-            rays,
+            rays: self.rays(),
             time: self.time,
             non_finite: watch.faults.non_finite(),
             faults: watch.faults,
@@ -193,7 +267,7 @@ fn passes(mut start: u32, end: u32) -> impl Iterator<Item = Range<u32>> {
 }
 
 /// A rectangle of pixels and what its samples added up to.
-#[derive(Debug)]
+#[derive(Clone, Debug)]
 struct Tile {
     x: Range<u32>,
     y: Range<u32>,
@@ -223,34 +297,39 @@ fn tiles([width, height]: [u32; 2], side: u32) -> Vec<Tile> {
 }
 
 impl Tile {
+    /// Takes the samples of a pass; false where it was stopped before its last pixel.
     fn sample(
         &mut self,
         scene: &Scene,
         integrator: &dyn Integrator,
         options: &Options,
         pass: Range<u32>,
-    ) {
+        stop: &(dyn Fn() -> bool + Sync),
+    ) -> bool {
         let mut tracer = Tracer::new(scene);
-        let columns = self.x.clone();
-        let places = self
-            .y
-            .clone()
-            .flat_map(|y| columns.clone().map(move |x| (x, y)));
         let run = even_run(pass.start);
         let ends_run = options.sampler == Sampler::Sobol && pass.end == run.end;
-        for ((x, y), pixel) in places.zip(&mut self.pixels) {
-            for sample in pass.clone() {
-                let (ray, stream) = camera_sample(&mut tracer, options, [x, y], sample);
-                let li = integrator.li(&mut tracer, &ray, &stream);
-                if self.watch.admits(li, BadSample { x, y, sample }) {
-                    pixel.add(li);
-                }
+        let mut whole = true;
+        for (y, row) in self.y.clone().zip(self.pixels.chunks_mut(self.x.len())) {
+            whole = !stop();
+            if !whole {
+                break;
             }
-            if ends_run {
-                pixel.end_run(run.end == 2 * run.start);
+            for (x, pixel) in self.x.clone().zip(row) {
+                for sample in pass.clone() {
+                    let (ray, stream) = camera_sample(&mut tracer, options, [x, y], sample);
+                    let li = integrator.li(&mut tracer, &ray, &stream);
+                    if self.watch.admits(li, BadSample { x, y, sample }) {
+                        pixel.add(li);
+                    }
+                }
+                if ends_run {
+                    pixel.end_run(run.end == 2 * run.start);
+                }
             }
         }
         self.rays += tracer.counts();
+        whole
     }
 }
 

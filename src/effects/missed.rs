@@ -1,0 +1,156 @@
+//! Light of a scene that an integrator cannot find, however long it looks.
+
+use super::language;
+use crate::integrators::Named;
+use crate::notation::{Expression, Language, Word};
+use crate::scene::{Inventory, Sky};
+use serde::Serialize;
+
+/// Light of one kind of source that an integrator leaves out.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct Missed {
+    /// Whose light it is.
+    pub light_of: &'static str,
+    /// Its shortest words.
+    pub words: Vec<String>,
+    /// True where it is all light of these sources.
+    pub all: bool,
+    /// Why it is left out.
+    pub reason: &'static str,
+}
+
+/// Words shown of a language.
+const SHOWN: usize = 5;
+
+/// The light of a scene that an integrator leaves out, of the words that are `wanted` or else of all.
+pub fn missed(named: Named, inventory: &Inventory, wanted: Option<&Language>) -> Vec<Missed> {
+    let Some(scene) = language::of_scene(inventory) else {
+        return Vec::new();
+    };
+    let extended = language::everything();
+    // A light without extent is seen only where a rough surface shows it.
+    let point = language::known("L(D|S|G)*(D|G)(D|S|G)*E");
+    let (lamps, points) = (language::of_lamps(named), language::of_points(named));
+    let kinds = [
+        (inventory.area_lights > 0, "lamps", &extended, lamps.clone()),
+        (inventory.sky == Sky::Image, "the sky", &extended, lamps),
+        (
+            inventory.sky == Sky::Constant,
+            "the sky",
+            &extended,
+            language::of_sky(named),
+        ),
+        (
+            inventory.point_lights > 0,
+            "point and directional lights",
+            &point,
+            points,
+        ),
+    ];
+    let mut missed = Vec::new();
+    for (present, light_of, possible, found) in kinds {
+        let mut all = scene.light_first().intersection(possible.light_first());
+        if let Some(wanted) = wanted {
+            all = all.intersection(wanted);
+        }
+        let lost = match found.as_ref().map(Expression::light_first) {
+            Some(found) => all.difference(found),
+            None => all.clone(),
+        };
+        if present && !lost.is_empty() {
+            missed.push(Missed {
+                light_of,
+                words: lost.shortest(SHOWN).iter().map(Word::to_string).collect(),
+                all: lost.includes(&all),
+                reason: reason(named),
+            });
+        }
+    }
+    missed
+}
+
+/// True where an integrator finds none of a scene's light, though there is some.
+pub fn misses_everything(named: Named, inventory: &Inventory) -> bool {
+    let kinds = [
+        inventory.area_lights > 0,
+        inventory.sky != Sky::Black,
+        inventory.point_lights > 0,
+    ];
+    let missed = missed(named, inventory, None);
+    let all = missed.iter().filter(|missed| missed.all).count();
+    all > 0 && all == kinds.into_iter().filter(|&present| present).count()
+}
+
+fn reason(named: Named) -> &'static str {
+    match named {
+        Named::Whitted => {
+            "it aims at lights from the first rough surface of a path and ends there; it aims at no sky \
+             of one colour, and no aim goes through mirrors or glass"
+        }
+        Named::Kajiya | Named::Roulette => "a random walk never meets a point or a direction",
+        Named::WhichRay | Named::NextEvent | Named::Combine | Named::Path => {
+            "no walk from the eye meets a point or a direction, and no shadow ray goes through mirrors or \
+             glass"
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn room() -> Inventory {
+        Inventory {
+            area_lights: 1,
+            diffuse: 5,
+            scattering: 5,
+            ..Inventory::default()
+        }
+    }
+
+    fn words(named: Named, inventory: &Inventory) -> Vec<(bool, String)> {
+        let missed = missed(named, inventory, None);
+        let one = |m: Missed| (m.all, m.words[..2].join(" "));
+        missed.into_iter().map(one).collect()
+    }
+
+    #[test]
+    fn each_integrator_says_the_words_it_lacks() {
+        let room = room();
+        assert_eq!(words(Named::Path, &room), []);
+        assert_eq!(words(Named::Kajiya, &room), []);
+        assert_eq!(words(Named::Whitted, &room), [(false, "LDDE LDDDE".into())]);
+        let point = Inventory {
+            area_lights: 0,
+            point_lights: 1,
+            ..room.clone()
+        };
+        for walk in [Named::Kajiya, Named::Roulette] {
+            assert_eq!(words(walk, &point), [(true, "LDE LDDE".into())]);
+            assert!(misses_everything(walk, &point));
+        }
+        assert_eq!(words(Named::Combine, &point), []);
+        let glass = Inventory {
+            specular: 1,
+            scattering: 6,
+            ..point
+        };
+        assert_eq!(words(Named::Path, &glass), [(false, "LSDE LSDDE".into())]);
+        let both = Inventory {
+            area_lights: 1,
+            ..glass
+        };
+        let kajiya = words(Named::Kajiya, &both);
+        assert_eq!(kajiya, [(true, "LDE LDDE".into())], "lamps are found");
+        assert!(!misses_everything(Named::Kajiya, &both));
+        assert!(!misses_everything(Named::Path, &both));
+    }
+
+    #[test]
+    fn what_is_not_wanted_is_not_missed() {
+        let direct = language::known("LDE");
+        let wanted = Some(direct.light_first());
+        assert_eq!(missed(Named::Whitted, &room(), wanted), []);
+        assert_eq!(missed(Named::Whitted, &Inventory::default(), None), []);
+    }
+}
