@@ -4,7 +4,7 @@ use super::demand::bias_json;
 use crate::effects::black::why_black;
 use crate::effects::language::Wanted;
 use crate::effects::measure::Difference;
-use crate::effects::missed::{Missed, missed};
+use crate::effects::missed::{Missed, by_chance_alone, missed};
 use crate::effects::plan::{Demand, demand, plan};
 use crate::integrators::Named;
 use crate::scene::Scene;
@@ -16,6 +16,7 @@ pub(super) struct LeftOut {
     named: Named,
     missed: Vec<Missed>,
     on_purpose: Option<Demand>,
+    by_chance: bool,
 }
 
 impl LeftOut {
@@ -27,6 +28,7 @@ impl LeftOut {
             on_purpose: language
                 .and_then(|language| demand(&scene.inventory, language))
                 .filter(|demand| !demand.all),
+            by_chance: by_chance_alone(named, &scene.inventory),
         }
     }
 
@@ -45,6 +47,12 @@ impl LeftOut {
             text +=
                 &format!("note: {name} leaves out {light} of {light_of} ({words} …): {reason}\n");
         }
+        if self.by_chance {
+            text += &format!(
+                "note: {name} meets lamps by chance alone: one that no sample met is neither in the picture \
+                 nor in its error\n"
+            );
+        }
         let found = self.missed.iter().all(|missed| !missed.all);
         if let Some(lost) = plan(scene).out_of_reach.filter(|_| found) {
             text += &format!("note: {} is out of reach: {}\n", lost.paths, lost.reason);
@@ -52,11 +60,27 @@ impl LeftOut {
         text
     }
 
-    /// The integrator, and the first words that it cannot find; `None` where it finds all that is wanted.
-    pub fn lacks(&self) -> Option<String> {
+    /// The integrator, where it cannot find all that is wanted.
+    pub fn finder(&self) -> Option<&'static str> {
+        (!self.missed.is_empty()).then(|| self.named.name())
+    }
+
+    /// What is not in the error of the picture, in words; `None` where everything is.
+    pub fn unknown(&self) -> Option<String> {
         let name = self.named.name();
         let words = self.words();
-        (!words.is_empty()).then(|| format!("{name} leaves out {} …", words.join(", ")))
+        if !words.is_empty() {
+            Some(format!("{name} leaves out {} …", words.join(", ")))
+        } else if self.by_chance {
+            Some(format!("{name} may have missed a lamp"))
+        } else {
+            None
+        }
+    }
+
+    /// True where a lamp that no sample met is not in the error.
+    pub fn by_chance(&self) -> bool {
+        self.by_chance
     }
 
     fn words(&self) -> Vec<&str> {

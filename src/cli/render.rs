@@ -213,8 +213,11 @@ impl Render {
         if !self.quiet {
             eprint!("{}", report(&scene, &outcome, self.sampler(), too_bright));
             let goal = self.ending.goal();
-            let lacks = left_out.as_ref().and_then(LeftOut::lacks);
-            eprint!("{}", stop::report(&outcome, &goal, self.sampler(), lacks));
+            let left_out = left_out.as_ref();
+            eprint!(
+                "{}",
+                stop::report(&outcome, &goal, self.sampler(), left_out)
+            );
             if let Some(why) = &black {
                 eprintln!("the picture is black: {why}");
             }
@@ -234,6 +237,7 @@ impl Render {
             object["accuracy"] = stop::as_json(&outcome, &goal, self.sampler());
             object["maps"] = json!(maps);
             object["black"] = json!(black);
+            object["lamps_by_chance"] = json!(left_out.as_ref().is_some_and(LeftOut::by_chance));
             object["left_out"] = json!(left_out.map(|left_out| left_out.as_json(bias.as_ref())));
             answer(&(serde_json::to_string_pretty(&object)? + "\n"))?;
         }

@@ -1,5 +1,6 @@
 //! When `halfdisk render` ends: after so many samples, at an error, or when time is up.
 
+use super::left_out::LeftOut;
 use crate::render::accuracy::{Accuracy, Measure};
 use crate::render::rounding;
 use crate::render::target::{
@@ -97,23 +98,26 @@ impl Ending {
     }
 }
 
-/// How accurate the picture is and why it ended, for people; `lacks` says what light it cannot have.
+/// How accurate the picture is and why it ended, for people, beside what it lacks.
 pub(super) fn report(
     outcome: &Outcome,
     goal: &Goal,
     sampler: Sampler,
-    lacks: Option<String>,
+    left_out: Option<&LeftOut>,
 ) -> String {
     let reached = &outcome.reached;
     let mut text = error(outcome, goal, sampler);
+    if let Some(name) = left_out
+        .and_then(LeftOut::finder)
+        .filter(|_| reached.error.is_finite())
+    {
+        text += &format!(" of the light that {name} finds");
+    }
     if let Some(target) = goal.error {
         text += &format!(", target {}", percent(target));
     }
     if let Some(said) = outcome.prediction.filter(|said| said.error.is_finite()) {
         text += &format!("; predicted {}", percent(said.error));
-    }
-    if let Some(lacks) = &lacks {
-        text += &format!("; in all of which {lacks}");
     }
     if goal.error.is_some() || goal.time.is_some() {
         text += &samples(outcome);
@@ -130,9 +134,10 @@ pub(super) fn report(
     }
     if goal.error.is_some() || goal.time.is_some() {
         let tolerance = percent(TOLERANCE - 1.0);
-        text += &match (outcome.stopped_by, lacks) {
-            (StoppedBy::Error, Some(lacks)) => {
-                format!("\nended at its target (to within {tolerance} of it), but {lacks}")
+        let unknown = left_out.and_then(LeftOut::unknown);
+        text += &match (outcome.stopped_by, unknown) {
+            (StoppedBy::Error, Some(unknown)) => {
+                format!("\nended at its target (to within {tolerance} of it), but {unknown}")
             }
             (StoppedBy::Error, None) => {
                 format!("\nended at its target (to within {tolerance} of it)")

@@ -13,6 +13,9 @@ const LONGEST: u32 = 8;
 /// Points of a lamp that are asked for.
 const ASKED: [[f32; 2]; 5] = [[0.5, 0.5], [0.1, 0.1], [0.9, 0.1], [0.1, 0.9], [0.9, 0.9]];
 
+/// The cosine of light that passes along a surface and does not light it.
+const GRAZING: f32 = 1e-6;
+
 /// What walks from the eye see of a scene and its lamps.
 #[derive(Default)]
 struct Seen {
@@ -26,9 +29,9 @@ struct Seen {
     points: usize,
     /// and of lamps as seen from there: those that shine that way,
     facing: usize,
-    /// whose light no surface stops,
-    free: usize,
-    /// and reaches the side that is seen.
+    /// whose light would fall on the side that is seen,
+    beside: usize,
+    /// and that no surface stops.
     lit: usize,
     /// Rays that left the scene.
     left: usize,
@@ -69,10 +72,10 @@ pub fn why_black(scene: &Scene, named: Named, max_depth: u32) -> String {
     } else if seen.facing == 0 {
         "every lamp shows its back to what the camera sees: quads and triangles shine on their front \
          side alone"
-    } else if seen.free == 0 {
-        "no lamp reaches what the camera sees: surfaces stand between"
-    } else if seen.lit == 0 {
+    } else if seen.beside == 0 {
         "lamps light only the far side of what the camera sees"
+    } else if seen.lit == 0 {
+        "no lamp reaches what the camera sees: surfaces stand between"
     } else {
         let name = named.name();
         return format!(
@@ -133,11 +136,13 @@ fn ask(seen: &mut Seen, tracer: &mut Tracer, at: &SolidPoint) {
             if sample.incident.facing_irradiance().is_black() {
                 continue;
             }
-            let free = tracer.is_free(&sample.shadow_ray);
-            let f = material.f(at.wo, at.frame.to_local(sample.wi));
             seen.facing += 1;
-            seen.free += usize::from(free);
-            seen.lit += usize::from(free && !f.is_black());
+            let wi = at.frame.to_local(sample.wi);
+            if wi.z.abs() < GRAZING || material.f(at.wo, wi).is_black() {
+                continue;
+            }
+            seen.beside += 1;
+            seen.lit += usize::from(tracer.is_free(&sample.shadow_ray));
         }
     }
 }

@@ -20,7 +20,10 @@ pub struct Missed {
 }
 
 /// Words shown of a language.
-const SHOWN: usize = 5;
+const SHOWN: usize = 3;
+
+const SKY: &str = "the sky";
+const POINTS: &str = "point and directional lights";
 
 /// The light of a scene that an integrator leaves out, of the words that are `wanted` or else of all.
 pub fn missed(named: Named, inventory: &Inventory, wanted: Option<&Language>) -> Vec<Missed> {
@@ -33,19 +36,14 @@ pub fn missed(named: Named, inventory: &Inventory, wanted: Option<&Language>) ->
     let (lamps, points) = (language::of_lamps(named), language::of_points(named));
     let kinds = [
         (inventory.area_lights > 0, "lamps", &extended, lamps.clone()),
-        (inventory.sky == Sky::Image, "the sky", &extended, lamps),
+        (inventory.sky == Sky::Image, SKY, &extended, lamps),
         (
             inventory.sky == Sky::Constant,
-            "the sky",
+            SKY,
             &extended,
             language::of_sky(named),
         ),
-        (
-            inventory.point_lights > 0,
-            "point and directional lights",
-            &point,
-            points,
-        ),
+        (inventory.point_lights > 0, POINTS, &point, points),
     ];
     let mut missed = Vec::new();
     for (present, light_of, possible, found) in kinds {
@@ -62,11 +60,17 @@ pub fn missed(named: Named, inventory: &Inventory, wanted: Option<&Language>) ->
                 light_of,
                 words: lost.shortest(SHOWN).iter().map(Word::to_string).collect(),
                 all: lost.includes(&all),
-                reason: reason(named),
+                reason: reason(named, light_of),
             });
         }
     }
     missed
+}
+
+/// True where an integrator meets lamps by chance alone, so that one it has not met is not in the scatter of
+/// its samples either.
+pub fn by_chance_alone(named: Named, inventory: &Inventory) -> bool {
+    matches!(named, Named::Kajiya | Named::Roulette) && inventory.area_lights > 0
 }
 
 /// True where an integrator finds none of a scene's light, though there is some.
@@ -81,14 +85,18 @@ pub fn misses_everything(named: Named, inventory: &Inventory) -> bool {
     all > 0 && all == kinds.into_iter().filter(|&present| present).count()
 }
 
-fn reason(named: Named) -> &'static str {
-    match named {
-        Named::Whitted => {
-            "it aims at lights from the first rough surface of a path and ends there; it aims at no sky \
-             of one colour, and no aim goes through mirrors or glass"
+fn reason(named: Named, light_of: &str) -> &'static str {
+    match (named, light_of) {
+        (Named::Whitted, SKY) => {
+            "it aims at a sky from rough surfaces only where the sky is an image, and goes no further"
         }
-        Named::Kajiya | Named::Roulette => "a random walk never meets a point or a direction",
-        Named::WhichRay | Named::NextEvent | Named::Combine | Named::Path => {
+        (Named::Whitted, POINTS) => {
+            "it aims from the first rough surface of a path and goes no further, and no aim goes through \
+             mirrors or glass"
+        }
+        (Named::Whitted, _) => "it aims from the first rough surface of a path and goes no further",
+        (Named::Kajiya | Named::Roulette, _) => "a random walk never meets a point or a direction",
+        (Named::WhichRay | Named::NextEvent | Named::Combine | Named::Path, _) => {
             "no walk from the eye meets a point or a direction, and no shadow ray goes through mirrors or \
              glass"
         }

@@ -100,7 +100,7 @@ pub fn render_to(
     let most = aim.saturating_mul(LONGEST).min(MOST_SAMPLES);
     let mut session = Session::new(scene, integrator, &options);
     if let (Some(clock), None) = (&clock, goal.error) {
-        prediction = foresee(&mut session, clock, goal.measure, progress);
+        prediction = foresee(&mut session, clock, &options, goal.measure, progress);
     }
     let mut extensions = 0;
     loop {
@@ -151,6 +151,7 @@ pub fn render_to(
 fn foresee(
     session: &mut Session,
     clock: &Clock,
+    options: &Options,
     measure: Measure,
     progress: &dyn Progress,
 ) -> Option<Prediction> {
@@ -162,7 +163,10 @@ fn foresee(
         }
     }
     let (spp, seconds) = (session.spp(), session.time().as_secs_f64());
-    let error = own_error(&session.film(), measure, session.rounding());
+    let error = match spp < fewest(options.sampler) {
+        true => f64::INFINITY,
+        false => own_error(&session.film(), measure, session.rounding()),
+    };
     let left = clock.left().as_secs_f64();
     let more = (left / seconds * f64::from(spp)).min(f64::from(MOST_SAMPLES - spp));
     let all = spp + more as u32;

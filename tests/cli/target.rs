@@ -292,7 +292,7 @@ fn what_no_sample_has_found_is_no_certainty() {
 fn a_black_picture_says_why() {
     let folder = folder();
     let away = "[[objects]]\nemits = 5\n\
-        quad = { corner = [-0.5, 3, 0.5], u = [1, 0, 0], v = [0, 0, -1] }\n";
+        quad = { corner = [-0.5, 4.5, 0.5], u = [1, 0, 0], v = [0, 0, -1] }\n";
     let inside = "[[objects]]\nmaterial = 'white'\nsphere = { center = [0, 1, 5], radius = 0.5 }\n";
     let in_a_box =
         "[[objects]]\nmaterial = 'white'\nbox = { min = [-1, 0.5, 4], max = [1, 2, 6] }\n";
