@@ -5,6 +5,7 @@ use super::{Stop, answer};
 use crate::desk::on_ctrl_c;
 use crate::effects::measure::{Difference, Setup, difference};
 use crate::effects::plan::{self, Plan, demand};
+use crate::render::target::count;
 use crate::scene::description::Description;
 use crate::scene::{Effect, Scene, gallery};
 use clap::Args;
@@ -190,9 +191,12 @@ fn describe_demand(left: &plan::Demand) -> String {
 
 fn describe_measurements(measured: &Measurements, spp: u32, rounds: u32) -> String {
     let mut text = format!(
-        "\nmeasured with {spp} samples per pixel, {rounds} times with and without in turn\n\
+        "\nmeasured with {} per pixel, {rounds} times with and without in turn\n\
          {:<14} {:<26} {:<22} relative squared error without\n",
-        "effect", "time with / without", "share of the light"
+        count(spp.into(), "sample"),
+        "effect",
+        "time with / without",
+        "share of the light"
     );
     for Measured { effect, difference } in &measured.effects {
         let share = format!(

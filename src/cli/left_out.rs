@@ -4,9 +4,10 @@ use super::demand::bias_json;
 use crate::effects::black::why_black;
 use crate::effects::language::Wanted;
 use crate::effects::measure::Difference;
-use crate::effects::missed::{Missed, by_chance_alone, missed};
+use crate::effects::missed::{Missed, missed, unmet};
 use crate::effects::plan::{Demand, demand, plan};
 use crate::integrators::Named;
+use crate::render::Rendered;
 use crate::scene::Scene;
 use serde_json::{Value, json};
 
@@ -16,7 +17,8 @@ pub(super) struct LeftOut {
     named: Named,
     missed: Vec<Missed>,
     on_purpose: Option<Demand>,
-    by_chance: bool,
+    /// Lamps that no sample has met, and all that might have been.
+    unmet: [usize; 2],
 }
 
 impl LeftOut {
@@ -28,7 +30,7 @@ impl LeftOut {
             on_purpose: language
                 .and_then(|language| demand(&scene.inventory, language))
                 .filter(|demand| !demand.all),
-            by_chance: by_chance_alone(named, &scene.inventory),
+            unmet: [0, 0],
         }
     }
 
@@ -46,12 +48,6 @@ impl LeftOut {
             let (light, words) = (if *all { "all light" } else { "light" }, words.join(", "));
             text +=
                 &format!("note: {name} leaves out {light} of {light_of} ({words} …): {reason}\n");
-        }
-        if self.by_chance {
-            text += &format!(
-                "note: {name} meets lamps by chance alone: one that no sample met is neither in the picture \
-                 nor in its error\n"
-            );
         }
         let found = self.missed.iter().all(|missed| !missed.all);
         if let Some(lost) = plan(scene).out_of_reach.filter(|_| found) {
@@ -71,16 +67,37 @@ impl LeftOut {
         let words = self.words();
         if !words.is_empty() {
             Some(format!("{name} leaves out {} …", words.join(", ")))
-        } else if self.by_chance {
-            Some(format!("{name} may have missed a lamp"))
+        } else if self.unmet[0] > 0 {
+            Some(self.not_met())
         } else {
             None
         }
     }
 
-    /// True where a lamp that no sample met is not in the error.
-    pub fn by_chance(&self) -> bool {
-        self.by_chance
+    /// What is found out when the picture is finished: the lamps that a walk has met.
+    pub fn see(&mut self, scene: &Scene, rendered: &Rendered) {
+        self.unmet = unmet(self.named, scene, rendered.lamps_met);
+    }
+
+    /// What to say of lamps that no sample has met; nothing where there are none.
+    pub fn after(&self) -> String {
+        match self.unmet[0] {
+            0 => String::new(),
+            _ => format!(
+                "note: {}: what they send is neither in the picture nor in its error\n",
+                self.not_met()
+            ),
+        }
+    }
+
+    fn not_met(&self) -> String {
+        let ([unmet, all], name) = (self.unmet, self.named.name());
+        format!("no sample of {name} has met {unmet} of {all} lamps")
+    }
+
+    /// How many lamps no sample has met, though chance alone finds them.
+    pub fn unmet(&self) -> usize {
+        self.unmet[0]
     }
 
     fn words(&self) -> Vec<&str> {

@@ -164,7 +164,7 @@ impl Render {
         output::prepare(&path)?;
         use_threads(self.threads)?;
 
-        let left_out = self
+        let mut left_out = self
             .integrator
             .named()
             .map(|named| LeftOut::new(&scene, named, wanted.as_ref()));
@@ -187,6 +187,7 @@ impl Render {
             },
         };
         let rendered = &outcome.rendered;
+        left_out.iter_mut().for_each(|l| l.see(&scene, rendered));
         let display = match self.integrator {
             Method::Normals | Method::Albedo => Display::Data { white: 1.0 },
             Method::Depth => Display::Data {
@@ -208,12 +209,13 @@ impl Render {
         let too_bright = self.too_bright(&scene, rendered, max_depth);
         let black = left_out
             .as_ref()
-            .filter(|_| rendered.film.max() == 0.0 && !rendered.interrupted)
+            .filter(|_| rendered.is_black())
             .map(|left_out| left_out.why_black(&scene, max_depth));
         if !self.quiet {
             eprint!("{}", report(&scene, &outcome, self.sampler(), too_bright));
             let goal = self.ending.goal();
             let left_out = left_out.as_ref();
+            eprint!("{}", left_out.map_or_else(String::new, LeftOut::after));
             eprint!(
                 "{}",
                 stop::report(&outcome, &goal, self.sampler(), left_out)
@@ -237,7 +239,7 @@ impl Render {
             object["accuracy"] = stop::as_json(&outcome, &goal, self.sampler());
             object["maps"] = json!(maps);
             object["black"] = json!(black);
-            object["lamps_by_chance"] = json!(left_out.as_ref().is_some_and(LeftOut::by_chance));
+            object["lamps_unmet"] = json!(left_out.as_ref().map_or(0, LeftOut::unmet));
             object["left_out"] = json!(left_out.map(|left_out| left_out.as_json(bias.as_ref())));
             answer(&(serde_json::to_string_pretty(&object)? + "\n"))?;
         }

@@ -133,7 +133,7 @@ pub(super) fn report(
         );
     }
     if goal.error.is_some() || goal.time.is_some() {
-        let tolerance = percent(TOLERANCE - 1.0);
+        let tolerance = percent(TOLERANCE);
         let unknown = left_out.and_then(LeftOut::unknown);
         text += &match (outcome.stopped_by, unknown) {
             (StoppedBy::Error, Some(unknown)) => {
@@ -241,7 +241,7 @@ pub(super) fn as_json(outcome: &Outcome, goal: &Goal, sampler: Sampler) -> Value
     };
     json!({
         "target": goal.error,
-        "tolerance": goal.error.map(|_| TOLERANCE - 1.0),
+        "tolerance": goal.error.map(|_| TOLERANCE),
         "quantile": quantile,
         "time": goal.time.map(|t| t.as_secs_f64()),
         "prediction": outcome.prediction,

@@ -3,7 +3,7 @@
 use super::language;
 use crate::integrators::Named;
 use crate::notation::{Expression, Language, Word};
-use crate::scene::{Inventory, Sky};
+use crate::scene::{Inventory, Scene, Sky, Tracer};
 use serde::Serialize;
 
 /// Light of one kind of source that an integrator leaves out.
@@ -67,10 +67,16 @@ pub fn missed(named: Named, inventory: &Inventory, wanted: Option<&Language>) ->
     missed
 }
 
-/// True where an integrator meets lamps by chance alone, so that one it has not met is not in the scatter of
-/// its samples either.
-pub fn by_chance_alone(named: Named, inventory: &Inventory) -> bool {
-    matches!(named, Named::Kajiya | Named::Roulette) && inventory.area_lights > 0
+/// Lamps that an integrator finds by chance alone and has not met, so that their light is not in the scatter of
+/// its samples either: how many of how many. `met` is what [`Tracer::lamps_met`] says.
+pub fn unmet(named: Named, scene: &Scene, met: u64) -> [usize; 2] {
+    if !matches!(named, Named::Kajiya | Named::Roulette) {
+        return [0, 0];
+    }
+    let lamps = (0..scene.lights.len().min(<Tracer>::LAMPS_NOTED as usize))
+        .filter(|&i| !scene.lights[i].is_delta() && scene.environment_light != Some(i));
+    let unmet = lamps.clone().filter(|&i| met & 1 << i == 0);
+    [unmet.count(), lamps.count()]
 }
 
 /// True where an integrator finds none of a scene's light, though there is some.

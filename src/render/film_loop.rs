@@ -59,9 +59,17 @@ pub struct Rendered {
     pub largest: f32,
     /// True where it was stopped before its last sample.
     pub interrupted: bool,
+    /// The lamps that walks have met: see [`Tracer::lamps_met`].
+    pub lamps_met: u64,
 }
 
 impl Rendered {
+    /// True where every pixel has samples, and all of them are black.
+    pub fn is_black(&self) -> bool {
+        let black = |p: &Pixel| p.mean() == Some([0.0; 3]);
+        self.non_finite == 0 && self.film.pixels().iter().all(black)
+    }
+
     /// The mean of the picture and its error: never less than [`rounding`] lets it be known, and infinite
     /// where no sample found any light.
     pub fn mean(&self) -> (f64, f64) {
@@ -248,6 +256,7 @@ impl<'a> Session<'a> {
             first_bad: watch.first,
             largest: watch.largest,
             interrupted: self.interrupted,
+            lamps_met: self.tiles.iter().fold(0, |met, tile| met | tile.lamps_met),
         }
     }
 }
@@ -275,6 +284,7 @@ struct Tile {
     pixels: Vec<Pixel>,
     rays: RayCounts,
     watch: Watch,
+    lamps_met: u64,
 }
 
 fn tiles([width, height]: [u32; 2], side: u32) -> Vec<Tile> {
@@ -291,6 +301,7 @@ fn tiles([width, height]: [u32; 2], side: u32) -> Vec<Tile> {
                 pixels: vec![Pixel::default(); count],
                 rays: RayCounts::default(),
                 watch: Watch::default(),
+                lamps_met: 0,
             }
         })
         .collect()
@@ -329,6 +340,7 @@ impl Tile {
             }
         }
         self.rays += tracer.counts();
+        self.lamps_met |= tracer.lamps_met();
         whole
     }
 }

@@ -33,8 +33,8 @@ pub use words::{count, percent, seconds};
 
 /// The most samples a pixel may get.
 pub const MOST_SAMPLES: u32 = 1 << 24;
-/// A render goes on where its error is above the target by more than this factor.
-pub const TOLERANCE: f64 = 1.05;
+/// A render goes on where its error is above the target by more than this share of it.
+pub const TOLERANCE: f64 = 0.05;
 /// It never takes more than this times the samples that were predicted.
 const LONGEST: u32 = 4;
 /// Seconds between two looks at its error on the way ...
@@ -116,7 +116,7 @@ pub fn render_to(
         progress.reached(&reached);
         let met = goal
             .error
-            .is_some_and(|target| reached.error <= TOLERANCE * target);
+            .is_some_and(|target| reached.error <= (1.0 + TOLERANCE) * target);
         let stopped_by = match goal.error {
             _ if session.interrupted() => StoppedBy::Interrupt,
             _ if late && met => StoppedBy::Error,
@@ -162,7 +162,7 @@ fn foresee(
             return None;
         }
     }
-    let (spp, seconds) = (session.spp(), session.time().as_secs_f64());
+    let (spp, seconds) = (session.spp(), clock.elapsed().as_secs_f64());
     let error = match spp < fewest(options.sampler) {
         true => f64::INFINITY,
         false => own_error(&session.film(), measure, session.rounding()),

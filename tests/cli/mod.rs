@@ -6,6 +6,7 @@ mod commands;
 mod converge;
 mod cost;
 mod doctor;
+mod left_out;
 pub mod meshes;
 mod target;
 
