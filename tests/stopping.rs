@@ -133,9 +133,9 @@ fn the_clock_ends_a_render_without_bias_though_bright_samples_are_slow() {
 }
 
 #[test]
-fn samples_that_lie_evenly_are_hardly_biased_by_the_clock() {
-    // They cannot be exchanged within a run, so that a bias may be left; it is far below a hundredth of
-    // that of the rule above.
+fn samples_that_lie_evenly_are_not_biased_by_the_clock_either() {
+    // They end with 8, 16 and 64. To end after any number was 9 % too dark with 9 samples: where they lie
+    // evenly, the clock knows when the next slow one comes.
     let scene = small("lamp", [2, 2]);
     for time in [200, 700, 2000] {
         let mut ours = Estimate::new();
@@ -156,18 +156,18 @@ fn samples_that_lie_evenly_are_hardly_biased_by_the_clock() {
 #[test]
 fn pictures_that_the_clock_ended_have_the_mean_of_long_ones() {
     for (name, depth, time, sampler) in [
-        ("cornell", 5, 500, Sampler::Independent),
-        ("cornell", 5, 500, Sampler::Sobol),
-        ("spheres", 6, 2500, Sampler::Sobol),
+        ("cornell", 5, 4500, Sampler::Independent),
+        ("cornell", 5, 4500, Sampler::Sobol),
+        ("spheres", 6, 22_500, Sampler::Sobol),
     ] {
-        let scene = small(name, [4, 4]);
+        let scene = small(name, [12, 12]);
         let long = Options {
             spp: 40_000,
             ..options(1 << 40, Sampler::Independent)
         };
         let (truth, off) = render(&scene, &Path::new(depth), &long, &()).film.mean();
         let (mut means, mut spp) = (Estimate::new(), Estimate::new());
-        for seed in 0..1500 {
+        for seed in 0..3000 {
             let work = Work::default();
             let path = Counted(Path::new(depth), &work);
             let outcome = render_to(
@@ -191,7 +191,7 @@ fn pictures_that_the_clock_ended_have_the_mean_of_long_ones() {
             100.0 * seen
         );
         assert!(bias.abs() <= seen, "{name}, {sampler:?}: {bias} {seen}");
-        assert!(seen < 0.015 && spp.mean() > 2.0, "{seen} {}", spp.mean());
+        assert!(seen < 0.04 && spp.mean() > 2.0, "{seen} {}", spp.mean());
     }
 }
 
@@ -216,7 +216,7 @@ fn a_picture_that_the_clock_ended_is_that_of_its_samples() {
             let said = outcome.prediction.expect("there was time to tell");
             let off = f64::from(said.spp) / f64::from(spp);
             assert!(
-                (off - 1.0).abs() < 0.9,
+                (off - 1.0).abs() < 1.5,
                 "a rate of the first tenth: {said:?} {spp}"
             );
         }
@@ -244,7 +244,8 @@ fn with_an_error_and_a_time_the_first_of_both_ends_the_render() {
         assert_eq!(poor.stopped_by, StoppedBy::Time);
         assert!(work < time + time / 8 + 20_000, "{work} of {time}");
         assert!(poor.spp >= 1 && poor.seed == 3);
-        assert_eq!(poor.prediction.is_some(), time > 1_000_000);
+        let pilot = poor.prediction.is_some_and(|said| said.separate);
+        assert_eq!(pilot, time > 1_000_000);
     }
     assert!(work < 100_000_000);
 }
@@ -310,9 +311,9 @@ fn where_no_noise_is_seen_the_render_ends_and_claims_nothing() {
 #[test]
 fn an_error_below_the_rounding_of_samples_is_not_claimed() {
     // Ten times the light of a furnace of albedo 0.9, whose samples differ by their last bits alone.
-    for (depth, albedo) in [(512, 0.9), (512, 0.5), (64, 0.9), (4000, 0.98)] {
+    for (depth, albedo) in [(512, 0.9), (512, 0.5), (64, 0.9), (1000, 0.98)] {
         let scene = load_with("furnace", |said| {
-            said.film.size = [8, 8];
+            said.film.size = [4, 4];
             for material in said.materials.values_mut() {
                 if let Some(lambert) = &mut material.lambert {
                     lambert.albedo = Color([albedo; 3]);

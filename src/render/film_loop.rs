@@ -157,21 +157,24 @@ impl<'a> Session<'a> {
         self.interrupted = interrupted.into_inner();
     }
 
-    /// Goes on until each pixel has `spp` samples, it is stopped, or time is up; true in the last case.
+    /// Goes on until each pixel has at least `spp` samples and at most `most`, it is stopped, or time is up;
+    /// true in the last case.
     ///
-    /// Samples are taken in passes of one for each pixel. The pass that the clock cuts off is dropped,
-    /// whole; only where the clock waits for it is the first one finished. That keeps the picture
-    /// unbiased, though bright paths may take longer than dark ones: that `n` passes were finished in
-    /// time says the same of each of them, so their mean expects what the first of them does; and over
-    /// all `n` that is the light, for the first is always kept. To keep the pass that is cut off, which
-    /// is more likely a slow one, would be biased.
+    /// Samples are taken in passes over the picture, and the pass that the clock cuts off is dropped, whole;
+    /// only where the clock waits for it is the first one finished. That keeps the picture unbiased,
+    /// though bright paths may take longer than dark ones: that `n` passes were finished in time says the
+    /// same of each of them, so their mean expects what the first of them does; and over all `n` that is
+    /// the light, for the first is always kept. To keep the pass that is cut off, which is more likely a
+    /// slow one, would be biased.
     ///
     /// Source: Glynn, Heidelberger, Bias Properties of Budget Constrained Simulations (Operations
-    /// Research 38(5), 1990). It asks that passes can be exchanged, which samples that lie evenly can
-    /// only from run to run; what that leaves is measured in `tests/stopping.rs`.
+    /// Research 38(5), 1990). It asks that samples can be exchanged. Independent ones can, so a pass has one
+    /// for each pixel. Of those that lie evenly the first 1, 2, 4, 8 and 16 of a run can among themselves,
+    /// and so can equal runs: passes are those of [`Session::advance`], the last of which are whole runs.
     pub(super) fn advance_within(
         &mut self,
         spp: u32,
+        most: u32,
         clock: &Clock,
         progress: &dyn Progress,
     ) -> bool {
@@ -184,7 +187,13 @@ impl<'a> Session<'a> {
         let stop = || clock.late() || progress.stop();
         let mut late = false;
         while self.spp < spp && !self.interrupted && !late {
-            let pass = self.spp..self.spp + 1;
+            let most = match options.sampler {
+                Sampler::Independent => most.min(self.spp + 1),
+                Sampler::Sobol => most,
+            };
+            let Some(pass) = passes(self.spp, most).next() else {
+                break;
+            };
             let one = |tile: &Tile| {
                 let mut tile = tile.clone();
                 let whole = tile.sample(scene, integrator, options, pass.clone(), &stop);

@@ -19,7 +19,7 @@ use super::accuracy::{Accuracy, Measure};
 use super::clock::Clock;
 use super::{Film, Options, Progress, Rendered, Session, rounding};
 use crate::integrators::Integrator;
-use crate::sampling::stream::Sampler;
+use crate::sampling::stream::{EVEN_SAMPLES, Sampler};
 use crate::scene::Scene;
 
 mod pilot;
@@ -99,14 +99,14 @@ pub fn render_to(
     };
     let most = aim.saturating_mul(LONGEST).min(MOST_SAMPLES);
     let mut session = Session::new(scene, integrator, &options);
-    if let (Some(clock), None) = (&clock, goal.error) {
+    if let (Some(clock), None) = (&clock, prediction) {
         prediction = foresee(&mut session, clock, &options, goal.measure, progress);
     }
     let mut extensions = 0;
     loop {
         let next = aim.min(next_look(&session));
         let late = match &clock {
-            Some(clock) => session.advance_within(next, clock, progress),
+            Some(clock) => session.advance_within(next, aim, clock, progress),
             None => {
                 session.advance(next, progress);
                 false
@@ -157,7 +157,7 @@ fn foresee(
 ) -> Option<Prediction> {
     let early = clock.share(TIME_SHARE);
     while !early.late() || session.spp() < 2 {
-        let late = session.advance_within(session.spp() + 1, clock, progress);
+        let late = session.advance_within(session.spp() + 1, MOST_SAMPLES, clock, progress);
         if late || session.interrupted() || session.spp() == MOST_SAMPLES {
             return None;
         }
@@ -169,7 +169,7 @@ fn foresee(
     };
     let left = clock.left().as_secs_f64();
     let more = (left / seconds * f64::from(spp)).min(f64::from(MOST_SAMPLES - spp));
-    let all = spp + more as u32;
+    let all = whole(spp + more as u32, options.sampler).max(spp);
     let said = Prediction {
         pilot: Pilot {
             spp,
@@ -185,6 +185,15 @@ fn foresee(
     };
     progress.predicted(&said);
     Some(said)
+}
+
+/// The samples that the clock leaves of so many: of even ones it drops what is no whole pass.
+fn whole(spp: u32, sampler: Sampler) -> u32 {
+    match sampler {
+        Sampler::Independent => spp,
+        Sampler::Sobol if spp < EVEN_SAMPLES => 1 << spp.max(1).ilog2(),
+        Sampler::Sobol => spp - spp % EVEN_SAMPLES,
+    }
 }
 
 /// True where no noise was seen, or none that rounding does not make: more samples would not change it.

@@ -2,7 +2,7 @@
 
 use super::MOST_SAMPLES;
 use super::worth::Worth;
-use super::{TIME_SHARE, own_error};
+use super::{TIME_SHARE, own_error, whole};
 use crate::integrators::Integrator;
 use crate::render::accuracy::Accuracy;
 use crate::render::clock::Clock;
@@ -80,7 +80,7 @@ pub(super) fn pilot(
     let mut spp = FIRST;
     loop {
         let late = match &own_clock {
-            Some(clock) => session.advance_within(spp, clock, progress),
+            Some(clock) => session.advance_within(spp, spp, clock, progress),
             None => {
                 session.advance(spp, progress);
                 false
@@ -152,7 +152,8 @@ fn predicted(
         }
         None => (most, StoppedBy::Samples),
     };
-    let for_time = left.map_or(most, |left| (left / per_sample).floor().clamp(1.0, most));
+    let in_time = |left: f64| whole((left / per_sample).clamp(1.0, most) as u32, options.sampler);
+    let for_time = left.map_or(most, |left| in_time(left).into());
     let (spp, limited_by) = match for_error.min(for_time) {
         spp if spp < for_error => (spp, StoppedBy::Time),
         spp if spp < most => (spp, for_what),
