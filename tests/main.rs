@@ -31,6 +31,7 @@ mod path;
 mod peers;
 mod random_scenes;
 mod six_integrals;
+mod stopping;
 mod table;
 mod target;
 mod tidy;

@@ -259,15 +259,18 @@ fn compare(seed: u64, times: u32) -> Compared {
     let scene = load(&text).unwrap_or_else(|e| panic!("{seed}: {e}\n{text}"));
     let first_seed = seed.wrapping_mul(1000) + u64::from(times);
     let path = means(&scene, &Path::new(MAX_DEPTH), first_seed, 64 * times);
-    let plain = if extent {
-        means(&scene, &Kajiya { max_depth: MAX_DEPTH }, first_seed + 500, 192 * times)
-    } else {
+    let (max_depth, heuristic) = (MAX_DEPTH, Heuristic::Power);
+    let by_chance = || means(&scene, &Kajiya { max_depth }, first_seed + 500, 192 * times);
+    let by_asking_all = || {
         let combine = Combine {
-            max_depth: MAX_DEPTH,
-            heuristic: Heuristic::Power,
+            max_depth,
+            heuristic,
         };
         means(&scene, &combine, first_seed + 500, 64 * times)
     };
+    // Chance that found nothing at all knows nothing: its scatter is no error.
+    let found = extent.then(by_chance).filter(|found| found.mean() > 0.0);
+    let plain = found.unwrap_or_else(by_asking_all);
     let error = path.std_error().hypot(plain.std_error());
     let (a, b) = (path.mean(), plain.mean());
     let z = if a == b { 0.0 } else { (a - b) / error };

@@ -11,6 +11,7 @@ use halfdisk::scene::gallery::load_with;
 use halfdisk::scene::{Scene, Tracer};
 use halfdisk::stats::Estimate;
 
+/// Standard errors beyond which a test rejects: a level of 1e-5 for each comparison.
 const CRITICAL: f64 = 4.4;
 const RMS: Measure = Measure::RootMeanSquare;
 
@@ -232,6 +233,10 @@ fn a_pilot_stops_without_bias_and_a_rule_on_its_own_samples_does_not() {
     }
     // The chance is a multiple of 2^-24.
     let z = pilot.z(1.0);
+    println!(
+        "the smallest bias seen: {:.4}",
+        CRITICAL * pilot.std_error()
+    );
     assert!(z.abs() <= CRITICAL, "{z}: {}", pilot.mean());
     let z = own.z(1.0);
     assert!(z > CRITICAL, "{z}: {}", own.mean());

@@ -179,17 +179,14 @@ pub(super) fn measured_size([width, height]: [u32; 2]) -> [u32; 2] {
 
 /// A bias for people.
 pub(super) fn bias_line(difference: &Difference) -> String {
-    let [share, error] = [difference.share, difference.share_error].map(|x| 100.0 * x);
-    let light = if share < 0.0 {
-        format!(
-            "it is {:.2} ± {error:.2} % brighter than it should be",
-            -share
-        )
+    let (share, error) = (100.0 * difference.share, 100.0 * difference.share_error);
+    let change = if share < 0.0 {
+        format!("has {:.2} ± {error:.2} % more light than it should", -share)
     } else {
-        format!("{share:.2} ± {error:.2} % of the light is missing")
+        format!("lacks {share:.2} ± {error:.2} % of the light")
     };
     format!(
-        "left out on purpose, so the picture is biased: {light}; relative squared error {:.1e} ± \
+        "left out on purpose, so the picture is biased: it {change}; relative squared error {:.1e} ± \
          {:.0e}\n",
         difference.rel_mse, difference.rel_mse_error
     )

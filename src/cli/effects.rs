@@ -18,8 +18,6 @@ use std::sync::atomic::Ordering;
 pub struct EffectsOf {
     /// A scene of the gallery (see `halfdisk scenes`), or a path to a .toml file
     scene: String,
-    #[command(flatten)]
-    demand: Demand,
     /// Measure what each effect costs in time and changes in the picture: renders the scene with and
     /// without it, in turn; Ctrl-C keeps the effects that are finished
     #[arg(long)]
@@ -33,6 +31,8 @@ pub struct EffectsOf {
     /// Print all of it as JSON
     #[arg(long)]
     json: bool,
+    #[command(flatten)]
+    demand: Demand,
 }
 
 const AFTER_HELP: &str = "\
@@ -202,7 +202,7 @@ fn describe_measurements(measured: &Measurements, spp: u32, rounds: u32) -> Stri
         count(spp as usize, "sample", "samples"),
         "effect",
         "time with / without",
-        "missing without"
+        "share of the light"
     );
     for Measured { effect, difference } in &measured.effects {
         let share = format!(

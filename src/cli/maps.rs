@@ -3,7 +3,7 @@
 use super::{Stop, save};
 use crate::chart::{Axis, ChartError, HeatMap, required_chart};
 use crate::render::Film;
-use crate::render::accuracy::Accuracy;
+use crate::render::accuracy::{Accuracy, Measure};
 use crate::render::target::{Goal, percent};
 use clap::Args;
 use std::path::{Path, PathBuf};
@@ -20,17 +20,27 @@ pub(super) struct Maps {
 }
 
 impl Maps {
-    /// Writes the maps where they are wanted, and returns their names.
+    /// Writes the maps where they are wanted; returns their names, and why others are missing.
     pub(super) fn write(
         &self,
         picture: &Path,
         film: &Film,
         goal: &Goal,
-    ) -> Result<Vec<String>, Stop> {
-        if !self.maps {
-            return Ok(Vec::new());
-        }
+    ) -> Result<(Vec<String>, Option<String>), Stop> {
         let accuracy = Accuracy::of(film);
+        let known = |square: &f64| square.is_finite();
+        if !self.maps {
+            return Ok((Vec::new(), None));
+        }
+        if !accuracy.variances().iter().any(known) {
+            let why = "no maps: one sample has no spread, so there is no variance to draw";
+            return Ok((Vec::new(), Some(why.to_owned())));
+        }
+        if accuracy.error(Measure::RootMeanSquare) == 0.0 {
+            let why =
+                "no maps: all samples of each pixel are alike, so there is no variance to draw";
+            return Ok((Vec::new(), Some(why.to_owned())));
+        }
         let target = goal.error.unwrap_or(ERROR);
         let error = percent(target);
         let required = accuracy.required(target);
@@ -59,7 +69,7 @@ impl Maps {
             ("required", need.to_svg()),
             ("histogram", histogram.to_svg()),
         ];
-        let mut written = Vec::new();
+        let (mut written, mut missing) = (Vec::new(), Vec::new());
         for (kind, svg) in charts {
             let file = PathBuf::from(picture).with_extension(format!("{kind}.svg"));
             match svg {
@@ -67,11 +77,12 @@ impl Maps {
                     save(&file, svg)?;
                     written.push(file.display().to_string());
                 }
-                // A picture without any error needs no map of it.
-                Err(ChartError::Empty(_)) => {}
+                Err(ChartError::Empty(_)) => missing.push(kind),
                 Err(error) => return Err(Stop::Failure(error.to_string())),
             }
         }
-        Ok(written)
+        let why = (!missing.is_empty())
+            .then(|| format!("nothing to draw in the maps of {}", missing.join(" and ")));
+        Ok((written, why))
     }
 }

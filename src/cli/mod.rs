@@ -10,6 +10,7 @@ mod cost;
 mod demand;
 mod doctor;
 mod effects;
+mod left_out;
 mod maps;
 mod page;
 mod render;

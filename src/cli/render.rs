@@ -1,12 +1,13 @@
 //! `halfdisk render`.
 
-use super::demand::{Demand, bias_json, bias_line};
+use super::demand::{Demand, bias_line};
+use super::left_out::LeftOut;
 use super::maps::Maps;
 use super::report::{as_json, report};
 use super::stop::{self, Ending};
 use super::{Stop, answer, stem, use_threads};
 use crate::desk::{Bar, on_ctrl_c, tell, whole};
-use crate::effects::{measure::Setup, plan};
+use crate::effects::measure::Setup;
 use crate::integrators::{
     Albedo, Depth, Integrator, Named, Normals, Path as PathTracer, Restricted, Whitted,
 };
@@ -58,8 +59,6 @@ pub struct Render {
     /// Print what was rendered as JSON, to stdout
     #[arg(long)]
     json: bool,
-    #[command(flatten)]
-    demand: Demand,
     /// Keep every effect at work, those that the scene lacks at no strength: the same picture,
     /// later. For comparisons
     #[arg(long)]
@@ -67,6 +66,8 @@ pub struct Render {
     /// No progress bar and no report
     #[arg(long, short)]
     quiet: bool,
+    #[command(flatten)]
+    demand: Demand,
 }
 
 const AFTER_HELP: &str = "\
@@ -151,33 +152,33 @@ impl Render {
         if self.all_effects {
             scene = scene.with_all_effects();
         }
+        if self.all_effects && self.integrator != Method::Path {
+            return Err(Stop::Input(format!(
+                "--all-effects: only `path` leaves out what a scene lacks, not `{}`",
+                self.integrator.name()
+            )));
+        }
         let max_depth = self.max_depth(&scene)?;
         // Checked before any work, so that none is lost to a misspelt name or a closed folder.
         let path = self.path();
         output::prepare(&path, &scene)?;
         use_threads(self.threads)?;
 
+        let mut left_out = self
+            .integrator
+            .named()
+            .map(|named| LeftOut::new(&scene, named, wanted.as_ref()));
         if !self.quiet
-            && let Some(lost) = plan::plan(&scene).out_of_reach
+            && let Some(left_out) = &left_out
         {
-            tell(format_args!(
-                "note: {} is out of reach: {}",
-                lost.paths, lost.reason
-            ));
+            tell(left_out.notes(&scene));
         }
-        let light = |named: Named| self.with(&scene, &named.with(max_depth));
-        let outcome = match self.integrator {
-            Method::Normals => self.with(&scene, &Normals),
-            Method::Albedo => self.with(&scene, &Albedo),
-            Method::Depth => self.with(&scene, &Depth),
-            Method::Whitted => light(Named::Whitted),
-            Method::Kajiya => light(Named::Kajiya),
-            Method::WhichRay => light(Named::WhichRay),
-            Method::Roulette => light(Named::Roulette),
-            Method::NextEvent => light(Named::NextEvent),
-            Method::Combine => light(Named::Combine),
-            Method::Path => match &wanted {
-                None => light(Named::Path),
+        let outcome = match (self.integrator, self.integrator.named()) {
+            (Method::Normals, _) => self.with(&scene, &Normals),
+            (Method::Albedo, _) => self.with(&scene, &Albedo),
+            (Method::Depth, _) => self.with(&scene, &Depth),
+            (_, named) => match &wanted {
+                None => self.with(&scene, &named.unwrap_or(Named::Path).with(max_depth)),
                 Some(wanted) => {
                     let path = PathTracer::new(max_depth);
                     let paths = &wanted.eye_first;
@@ -190,6 +191,7 @@ impl Render {
             tell("interrupted before the first sample: nothing is written");
             return Err(Stop::Interrupted);
         }
+        left_out.iter_mut().for_each(|l| l.see(&scene, rendered));
         let display = match self.integrator {
             Method::Normals | Method::Albedo => Display::Data { white: 1.0 },
             Method::Depth => Display::Data {
@@ -205,7 +207,8 @@ impl Render {
         // All files first: what follows is for people, or may fail.
         let kept = output::write_somewhere(&path, &rendered.film, display, &facts)?;
         let path = &kept.path;
-        let maps = self.maps.write(path, &rendered.film, &self.ending.goal());
+        let goal = self.ending.goal();
+        let maps = self.maps.write(path, &rendered.film, &goal);
         let biased = !self.demand.is_everything() && !rendered.interrupted;
         let bias = if biased {
             let quiet = Bar::hidden(on_ctrl_c());
@@ -216,9 +219,18 @@ impl Render {
         };
         let unmeasured = biased && bias.is_none();
         let too_bright = self.too_bright(&scene, rendered, max_depth);
+        let black = left_out
+            .as_ref()
+            .filter(|_| rendered.is_black())
+            .map(|left_out| left_out.why_black(&scene, max_depth));
         if !self.quiet {
             let mut text = report(&scene, &outcome, self.sampler(), too_bright);
-            text += &stop::report(&outcome, &self.ending.goal(), self.sampler());
+            let left_out = left_out.as_ref();
+            text += &left_out.map_or_else(String::new, LeftOut::after);
+            text += &stop::report(&outcome, &goal, self.sampler(), left_out);
+            if let Some(why) = &black {
+                text += &format!("the picture is black: {why}\n");
+            }
             if let Some(bias) = &bias {
                 text += &bias_line(bias);
             } else if unmeasured {
@@ -226,17 +238,21 @@ impl Render {
                     "interrupted: the picture is complete, but what it lacks was not measured\n";
             }
             text += &format!("wrote {}", path.display());
-            for map in maps.iter().flatten() {
-                text += &format!("\nwrote {map}");
+            if let Ok((maps, missing)) = &maps {
+                maps.iter().for_each(|map| text += &format!("\nwrote {map}"));
+                missing.iter().for_each(|why| text += &format!("\nnote: {why}"));
             }
             tell(text);
         }
         let mut printed = Ok(());
         if self.json {
             let mut object = as_json(&scene, &facts, &outcome, too_bright, path);
-            object["accuracy"] = stop::as_json(&outcome, &self.ending.goal());
-            object["maps"] = json!(maps.as_deref().unwrap_or_default());
-            object["left_out"] = json!(bias.as_ref().map(bias_json));
+            let written = maps.as_ref().map_or(&[][..], |(maps, _)| maps);
+            object["accuracy"] = stop::as_json(&outcome, &goal, self.sampler());
+            object["maps"] = json!(written);
+            object["black"] = json!(black);
+            object["lamps_unmet"] = json!(left_out.as_ref().map_or(0, LeftOut::unmet));
+            object["left_out"] = json!(left_out.map(|left_out| left_out.as_json(bias.as_ref())));
             printed = answer(&(serde_json::to_string_pretty(&object)? + "\n"));
         }
         if let Some(what) = kept.complaint() {
@@ -315,6 +331,20 @@ impl Render {
 }
 
 impl Method {
+    /// The integrator of that name; `None` for views of something else than light.
+    fn named(self) -> Option<Named> {
+        match self {
+            Method::Path => Some(Named::Path),
+            Method::Whitted => Some(Named::Whitted),
+            Method::Kajiya => Some(Named::Kajiya),
+            Method::NextEvent => Some(Named::NextEvent),
+            Method::WhichRay => Some(Named::WhichRay),
+            Method::Combine => Some(Named::Combine),
+            Method::Roulette => Some(Named::Roulette),
+            Method::Normals | Method::Albedo | Method::Depth => None,
+        }
+    }
+
     fn name(self) -> String {
         self.to_possible_value()
             .map_or_else(String::new, |v| v.get_name().to_owned())

@@ -37,15 +37,17 @@ pub(super) fn report(
         rays.shadow,
         rays.total() as f64 / seconds / 1e6
     ));
-    let (mean, error) = rendered.film.mean();
-    let note = if outcome.reached.spp < fewest(sampler) {
-        " or less, for the samples lie evenly and are few"
+    let (mean, error) = rendered.mean();
+    let error = if !error.is_finite() {
+        " (error not known)".to_owned()
+    } else if outcome.reached.error.is_infinite() {
+        format!(" ± {error:.1e} of rounding; no noise was seen")
+    } else if outcome.reached.spp < fewest(sampler) {
+        format!(" ± at most {error:.1e}, since few samples that lie evenly only bound their error")
     } else {
-        ""
+        format!(" ± {error:.1e}")
     };
-    line(format!(
-        "mean of the picture: {mean:.6} ± {error:.1e}{note}"
-    ));
+    line(format!("mean of the picture: {mean:.6}{error}"));
     if scene.report.degenerate_triangles > 0 {
         line(format!(
             "note: {} triangles without area were left out",
@@ -103,7 +105,7 @@ pub(super) fn as_json(
 ) -> serde_json::Value {
     let rendered = &outcome.rendered;
     let seconds = rendered.time.as_secs_f64();
-    let (mean, error) = rendered.film.mean();
+    let (mean, error) = rendered.mean();
     json!({
         "facts": facts,
         "size": scene.size,

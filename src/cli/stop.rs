@@ -1,8 +1,12 @@
 //! When `halfdisk render` ends: after so many samples, at an error, or when time is up.
 
+use super::left_out::LeftOut;
 use crate::desk::whole;
 use crate::render::accuracy::{Accuracy, Measure};
-use crate::render::target::{Goal, MOST_SAMPLES, Outcome, StoppedBy, fewest, percent, seconds};
+use crate::render::rounding;
+use crate::render::target::{
+    Goal, MOST_SAMPLES, Outcome, StoppedBy, TOLERANCE, fewest, percent, seconds,
+};
 use crate::sampling::stream::Sampler;
 use clap::Args;
 use serde_json::{Value, json};
@@ -15,7 +19,7 @@ pub(super) struct Ending {
     #[arg(long, allow_negative_numbers = true, value_parser = whole(1_u32..=MOST_SAMPLES),
         conflicts_with_all = ["target_error", "time"])]
     spp: Option<u32>,
-    /// End at this relative error, such as 2%: the root mean square over the pixels of each one's
+    /// End at this relative error, such as 2% or 0.02, or up to a twentieth of it above: the root mean square over the pixels of each one's
     /// standard error over the brightness around it, the mean of 9 x 9 pixels, or of the picture where
     /// that is brighter. A pilot with other random numbers predicts samples and seconds first
     #[arg(long, value_name = "PERCENT", value_parser = share)]
@@ -24,8 +28,8 @@ pub(super) struct Ending {
     /// mean square
     #[arg(long, value_name = "PERCENT", value_parser = share, requires = "target_error")]
     target_quantile: Option<f64>,
-    /// End after this time, such as 30s, 5m or 1h, pilot included; with --target-error, whichever is
-    /// first
+    /// End after this time, such as 500ms, 30s, 5m or 1h30m, but not before each pixel has a sample; with
+    /// --target-error, whichever is first
     #[arg(long, value_name = "TIME", value_parser = time)]
     time: Option<Duration>,
 }
@@ -36,22 +40,46 @@ fn share(text: &str) -> Result<f64, String> {
         Some(number) => (number.trim_end(), 100.0),
         None => (text, 1.0),
     };
-    let share = number.parse::<f64>().map(|x| x / scale);
-    let allowed = share.ok().filter(|&x| x > 0.0 && x <= 1.0);
-    allowed.ok_or_else(|| "a share above 0 and up to 1 is written as 2% or 0.02".to_owned())
+    match number.parse::<f64>().map(|x| x / scale) {
+        Ok(share) if share > 0.0 && share <= 1.0 => Ok(share),
+        Ok(share) if scale == 1.0 && share > 1.0 && share <= 100.0 => Err(format!(
+            "without a % that is {}; {number} per cent is written as {number}% or {}",
+            percent(share),
+            share / 100.0
+        )),
+        _ => Err("a share above 0 and up to 100 % is written as 2% or 0.02".to_owned()),
+    }
 }
 
-/// A time: `30s`, `5m`, `1h`, or seconds.
+/// A time: `500ms`, `30s`, `5m`, `1h30m`, or seconds.
 fn time(text: &str) -> Result<Duration, String> {
-    let units = [("s", 1.0), ("m", 60.0), ("h", 3600.0)];
-    let named = units
-        .iter()
-        .find_map(|(unit, s)| Some((text.strip_suffix(unit)?, *s)));
-    let (number, unit) = named.unwrap_or((text, 1.0));
-    let seconds = number.trim_end().parse::<f64>().map(|x| x * unit);
-    let allowed = seconds.ok().filter(|&s| s > 0.0 && s < 1e9);
+    let allowed = units(text).filter(|&s| s > 0.0 && s < 1e9);
     let time = allowed.and_then(|s| Duration::try_from_secs_f64(s).ok());
-    time.ok_or_else(|| "a time is written as 30s, 5m or 1h".to_owned())
+    time.ok_or_else(|| "a time above 0 is written as 500ms, 30s, 5m or 1h30m".to_owned())
+}
+
+/// Numbers with units, added up in seconds; one that stands alone needs no unit.
+fn units(text: &str) -> Option<f64> {
+    let mut seconds = 0.0;
+    let mut rest = text.trim();
+    while !rest.is_empty() {
+        let end = rest.find(|c: char| !c.is_ascii_digit() && c != '.');
+        let (number, after) = rest.split_at(end.unwrap_or(rest.len()));
+        let after = after.trim_start();
+        let end = after.find(|c: char| !c.is_alphabetic());
+        let (unit, after) = after.split_at(end.unwrap_or(after.len()));
+        let scale = match unit {
+            "" if number == text.trim() => 1.0,
+            "ms" => 1e-3,
+            "s" => 1.0,
+            "m" | "min" => 60.0,
+            "h" => 3600.0,
+            _ => return None,
+        };
+        seconds += number.parse::<f64>().ok()? * scale;
+        rest = after.trim_start();
+    }
+    Some(seconds)
 }
 
 impl Ending {
@@ -71,69 +99,208 @@ impl Ending {
     }
 }
 
-/// How accurate the picture is and why it ended, for people.
-pub(super) fn report(outcome: &Outcome, goal: &Goal, sampler: Sampler) -> String {
+/// How accurate the picture is and why it ended, for people, beside what it lacks.
+pub(super) fn report(
+    outcome: &Outcome,
+    goal: &Goal,
+    sampler: Sampler,
+    left_out: Option<&LeftOut>,
+) -> String {
     let reached = &outcome.reached;
-    let known =
-        outcome.prediction.is_some() || u64::from(reached.spp) >= u64::from(fewest(sampler));
-    let bound = if known { "" } else { " or less" };
+    let mut text = error(outcome, goal, sampler);
+    if let Some(name) = left_out
+        .and_then(LeftOut::finder)
+        .filter(|_| reached.error.is_finite())
+    {
+        text += &format!(" of the light that {name} finds");
+    }
+    if let Some(target) = goal.error {
+        text += &format!(", target {}", percent(target));
+    }
+    if let Some(said) = outcome.prediction.filter(|said| said.error.is_finite()) {
+        text += &format!("; predicted {}", percent(said.error));
+    }
+    if goal.error.is_some() || goal.time.is_some() {
+        text += &samples(outcome);
+    }
+    if let Some(top) = top_share(outcome) {
+        let worst = match outcome.rendered.film.pixels().len() {
+            0..=1000 => "worst pixel has",
+            _ => "worst 0.1 % of the pixels have",
+        };
+        text += &format!(
+            "\nfireflies: the {worst} {} of the squared error",
+            percent(top)
+        );
+    }
+    if goal.error.is_some() || goal.time.is_some() {
+        let tolerance = percent(TOLERANCE);
+        let unknown = left_out.and_then(LeftOut::unknown);
+        text += &match (outcome.stopped_by, unknown) {
+            (StoppedBy::Error, Some(unknown)) => {
+                format!("\nended at its target (to within {tolerance} of it), but {unknown}")
+            }
+            (StoppedBy::Error, None) => {
+                format!("\nended at its target (to within {tolerance} of it)")
+            }
+            (StoppedBy::Time, _) => "\nended with its time".to_owned(),
+            (StoppedBy::Samples, _) => {
+                "\nended above its target, with the most samples it may take".to_owned()
+            }
+            (StoppedBy::NoNoise, _) if reached.error.is_finite() => {
+                "\nended above its target: what is left of the error is rounding".to_owned()
+            }
+            (StoppedBy::NoNoise, _) => {
+                "\nended without an error to compare with its target".to_owned()
+            }
+            (StoppedBy::Interrupt, _) if outcome.is_pilot => {
+                "\nthe picture is the pilot's, which has a seed of its own".to_owned()
+            }
+            (StoppedBy::Interrupt, _) => String::new(),
+        };
+    }
+    text += &match outcome.extensions {
+        0 => String::new(),
+        n => format!(
+            "\nrendered more samples {}: the error was still above the target",
+            match n {
+                1 => "once".to_owned(),
+                2 => "twice".to_owned(),
+                n => format!("{n} times"),
+            }
+        ),
+    };
+    text + "\n"
+}
+
+/// The error of the picture.
+fn error(outcome: &Outcome, goal: &Goal, sampler: Sampler) -> String {
+    let reached = &outcome.reached;
+    let film = &outcome.rendered.film;
+    if reached.error.is_infinite() {
+        let least = film.pixels().iter().map(|p| p.count()).min().unwrap_or(0);
+        let why = match least {
+            0 => "some pixels have no sample",
+            1 => "one sample has no spread",
+            _ if film.max() == 0.0 => "no sample found light",
+            _ => {
+                "all samples of each pixel are alike: they are exact, or what differs is too rare to \
+                 have been met"
+            }
+        };
+        return format!("error: not known ({why})");
+    }
+    let bound = if is_bound(outcome, sampler) {
+        "at most "
+    } else {
+        ""
+    };
     let of = match goal.measure {
         Measure::RootMeanSquare => String::new(),
         Measure::Quantile(share) => format!(" or less in {} of the pixels", percent(share)),
     };
-    let mut text = format!("error reached: {}{bound}{of}", percent(reached.error));
-    if let Some(target) = goal.error {
-        text += &format!(", target {}", percent(target));
-    }
+    format!("error: {bound}{}{of}", percent(reached.error))
+}
+
+/// True where even samples are too few to tell their error, and no pilot has told it.
+fn is_bound(outcome: &Outcome, sampler: Sampler) -> bool {
+    let pilot = outcome.prediction.is_some_and(|said| said.separate);
+    !pilot && outcome.reached.spp < fewest(sampler)
+}
+
+/// Samples and seconds beside those that were predicted.
+fn samples(outcome: &Outcome) -> String {
+    let reached = &outcome.reached;
+    let [mut samples, mut time] = ["samples per pixel", "time"].map(str::to_owned);
+    samples += &format!(": {}", reached.spp);
+    time += &format!(": {}", seconds(reached.seconds));
     if let Some(said) = &outcome.prediction {
-        text += &format!(
-            "; predicted {}\nsamples per pixel: {}, predicted {}; time: {}, predicted {}",
-            percent(said.error),
-            reached.spp,
-            said.spp,
-            seconds(reached.seconds),
-            seconds(said.seconds)
-        );
+        samples += &format!(", predicted {}", said.spp);
+        time += &format!(", predicted {}", seconds(said.seconds));
     }
-    let top = Accuracy::of(&outcome.rendered.film).top_share();
-    if top.is_finite() {
-        let top = percent(top);
-        text +=
-            &format!("\nfireflies: the worst 0.1 % of the pixels have {top} of the squared error");
-    }
-    if goal.error.is_some() || goal.time.is_some() {
-        text += match outcome.stopped_by {
-            StoppedBy::Error => "\nended at its target",
-            StoppedBy::Time => "\nended with its time",
-            StoppedBy::Samples => "\nended above its target, with the most samples it may take",
-            StoppedBy::Interrupt if outcome.prediction.is_none() => {
-                "\nthe picture is the pilot's, which has a seed of its own"
-            }
-            StoppedBy::Interrupt => "",
-        };
-    }
-    if outcome.extensions > 0 {
-        let times = outcome.extensions;
-        text += &format!("; it went on {times} times because the error was above the target");
-    }
-    text + "\n"
+    let again = match outcome.stopped_by {
+        StoppedBy::Interrupt => String::new(),
+        _ => format!("; the same picture comes by --spp {}", reached.spp),
+    };
+    format!("\n{samples}; {time}{again}")
+}
+
+/// The share of the worst thousandth of the pixels in the squared error, where there is one to speak of.
+fn top_share(outcome: &Outcome) -> Option<f64> {
+    let rendered = &outcome.rendered;
+    let accuracy = Accuracy::of(&rendered.film);
+    let noise = accuracy.error(Measure::RootMeanSquare);
+    let told = noise.is_finite() && noise > rounding(&rendered.rays);
+    told.then(|| accuracy.top_share())
 }
 
 /// The same for machines.
-pub(super) fn as_json(outcome: &Outcome, goal: &Goal) -> Value {
-    let accuracy = Accuracy::of(&outcome.rendered.film);
+pub(super) fn as_json(outcome: &Outcome, goal: &Goal, sampler: Sampler) -> Value {
     let quantile = match goal.measure {
         Measure::RootMeanSquare => None,
         Measure::Quantile(share) => Some(share),
     };
     json!({
         "target": goal.error,
+        "tolerance": goal.error.map(|_| TOLERANCE),
         "quantile": quantile,
         "time": goal.time.map(|t| t.as_secs_f64()),
         "prediction": outcome.prediction,
         "reached": outcome.reached,
+        "error_is_a_bound": is_bound(outcome, sampler),
         "stopped_by": outcome.stopped_by,
         "extensions": outcome.extensions,
-        "top_share": accuracy.top_share(),
+        "top_share": top_share(outcome),
     })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn times_are_numbers_with_units() {
+        let ms = |text: &str| time(text).map(|t| t.as_millis()).ok();
+        for (text, expected) in [
+            ("30", 30_000),
+            ("0.5s", 500),
+            ("500ms", 500),
+            ("5m", 300_000),
+            ("2 min", 120_000),
+            ("1h30m", 5_400_000),
+            ("1h 30m 5s", 5_405_000),
+            ("1.5h", 5_400_000),
+            ("1m30.5s", 90_500),
+        ] {
+            assert_eq!(ms(text), Some(expected), "{text}");
+        }
+        for wrong in [
+            "", "s", "0", "0ms", "-1s", "1h30", "30 30", "1e3s", "3d", "inf", "1.2.3s", "1h-5m",
+        ] {
+            assert_eq!(ms(wrong), None, "{wrong}");
+        }
+    }
+
+    #[test]
+    fn shares_are_percentages_or_fractions() {
+        for (text, expected) in [
+            ("2%", 0.02),
+            ("2 %", 0.02),
+            ("0.02", 0.02),
+            ("1", 1.0),
+            ("100%", 1.0),
+        ] {
+            assert_eq!(share(text), Ok(expected));
+        }
+        let said = share("2").unwrap_err();
+        assert_eq!(
+            said,
+            "without a % that is 200 %; 2 per cent is written as 2% or 0.02"
+        );
+        for wrong in [
+            "", "%", "0", "0%", "-2%", "101%", "nan", "inf", "two", "2%%",
+        ] {
+            assert!(share(wrong).is_err(), "{wrong}");
+        }
+    }
 }

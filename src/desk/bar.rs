@@ -2,7 +2,7 @@
 
 use super::tell;
 use crate::render::Progress;
-use crate::render::target::{Prediction, Reached};
+use crate::render::target::{Pilot, Prediction, Reached};
 use indicatif::{ProgressBar, ProgressStyle};
 use std::sync::atomic::{AtomicBool, Ordering};
 
@@ -60,6 +60,10 @@ impl Progress for Bar {
         if self.speaks {
             self.bar.suspend(|| tell(said));
         }
+    }
+
+    fn piloted(&self, pilot: &Pilot) {
+        self.bar.set_prefix(format!("; pilot: {pilot}"));
     }
 
     fn reached(&self, reached: &Reached) {

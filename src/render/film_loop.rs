@@ -1,5 +1,6 @@
 //! Passes over tiles over threads.
 
+use super::clock::Clock;
 use super::progress::Progress;
 use super::watch::{Faults, Watch};
 use super::{BadSample, Film, Pixel};
@@ -58,6 +59,34 @@ pub struct Rendered {
     pub largest: f32,
     /// True where it was stopped before its last sample.
     pub interrupted: bool,
+    /// The lamps that walks have met: see [`Tracer::lamps_met`].
+    pub lamps_met: u64,
+}
+
+impl Rendered {
+    /// True where every pixel has samples, and all of them are black.
+    pub fn is_black(&self) -> bool {
+        let black = |p: &Pixel| p.mean() == Some([0.0; 3]);
+        self.non_finite == 0 && self.film.pixels().iter().all(black)
+    }
+
+    /// The mean of the picture and its error: never less than [`rounding`] lets it be known, and infinite
+    /// where no sample found any light.
+    pub fn mean(&self) -> (f64, f64) {
+        let (mean, error) = self.film.mean();
+        let least = match mean {
+            0.0 => f64::INFINITY,
+            _ => mean.abs() * rounding(&self.rays),
+        };
+        (mean, error.max(least))
+    }
+}
+
+/// The relative error below which the scatter of samples says nothing: each sample is a product and a
+/// sum in `f32` along a path, rounded once for each segment, alike in all samples.
+pub fn rounding(rays: &RayCounts) -> f64 {
+    let segments = (rays.camera + rays.secondary) as f64 / rays.camera.max(1) as f64;
+    0.5 * f64::from(f32::EPSILON) * segments
 }
 
 /// Renders a scene on the threads of the current rayon pool.
@@ -128,6 +157,61 @@ impl<'a> Session<'a> {
         self.interrupted = interrupted.into_inner();
     }
 
+    /// Goes on until each pixel has at least `spp` samples and at most `most`, it is stopped, or time is up;
+    /// true in the last case.
+    ///
+    /// Samples are taken in passes over the picture, and the pass that the clock cuts off is dropped, whole;
+    /// only where the clock waits for it is the first one finished. That keeps the picture unbiased,
+    /// though bright paths may take longer than dark ones: that `n` passes were finished in time says the
+    /// same of each of them, so their mean expects what the first of them does; and over all `n` that is
+    /// the light, for the first is always kept. To keep the pass that is cut off, which is more likely a
+    /// slow one, would be biased.
+    ///
+    /// Source: Glynn, Heidelberger, Bias Properties of Budget Constrained Simulations (Operations
+    /// Research 38(5), 1990). It asks that samples can be exchanged. Independent ones can, so a pass has one
+    /// for each pixel. Of those that lie evenly the first 1, 2, 4, 8 and 16 of a run can among themselves,
+    /// and so can equal runs: passes are those of [`Session::advance`], the last of which are whole runs.
+    pub(super) fn advance_within(
+        &mut self,
+        spp: u32,
+        most: u32,
+        clock: &Clock,
+        progress: &dyn Progress,
+    ) -> bool {
+        if self.spp == 0 && spp > 0 && clock.waits {
+            self.advance(1, progress);
+            clock.tell();
+        }
+        let start = Instant::now();
+        let (scene, integrator, options) = (self.scene, self.integrator, &self.options);
+        let stop = || clock.late() || progress.stop();
+        let mut late = false;
+        while self.spp < spp && !self.interrupted && !late {
+            let most = match options.sampler {
+                Sampler::Independent => most.min(self.spp + 1),
+                Sampler::Sobol => most,
+            };
+            let Some(pass) = passes(self.spp, most).next() else {
+                break;
+            };
+            let one = |tile: &Tile| {
+                let mut tile = tile.clone();
+                let whole = tile.sample(scene, integrator, options, pass.clone(), &stop);
+                whole.then_some(tile)
+            };
+            let next: Option<Vec<Tile>> = self.tiles.par_iter().map(one).collect();
+            self.interrupted = progress.stop();
+            late = clock.late();
+            if let Some(tiles) = next.filter(|_| !late) {
+                self.tiles = tiles;
+                self.spp = pass.end;
+            }
+            clock.tell();
+        }
+        self.time += start.elapsed();
+        late
+    }
+
     /// The samples of each pixel so far, or, once interrupted, at most.
     pub fn spp(&self) -> u32 {
         self.spp
@@ -141,6 +225,17 @@ impl<'a> Session<'a> {
     /// True once it was stopped.
     pub fn interrupted(&self) -> bool {
         self.interrupted
+    }
+
+    /// The least relative error that can be told of the picture: see [`rounding`].
+    pub fn rounding(&self) -> f64 {
+        rounding(&self.rays())
+    }
+
+    fn rays(&self) -> RayCounts {
+        let mut rays = RayCounts::default();
+        self.tiles.iter().for_each(|tile| rays += tile.rays);
+        rays
     }
 
     /// The picture so far.
@@ -159,21 +254,18 @@ impl<'a> Session<'a> {
 
     /// The end of it.
     pub fn finish(self) -> Rendered {
-        let mut rays = RayCounts::default();
         let mut watch = Watch::default();
-        for tile in &self.tiles {
-            rays += tile.rays;
-            watch.join(tile.watch);
-        }
+        self.tiles.iter().for_each(|tile| watch.join(tile.watch));
         Rendered {
             film: self.film(),
-            rays,
+            rays: self.rays(),
             time: self.time,
             non_finite: watch.faults.non_finite(),
             faults: watch.faults,
             first_bad: watch.first,
             largest: watch.largest,
             interrupted: self.interrupted,
+            lamps_met: self.tiles.iter().fold(0, |met, tile| met | tile.lamps_met),
         }
     }
 }
@@ -193,7 +285,7 @@ fn passes(mut start: u32, end: u32) -> impl Iterator<Item = Range<u32>> {
 }
 
 /// A rectangle of pixels and what its samples added up to.
-#[derive(Debug)]
+#[derive(Clone, Debug)]
 struct Tile {
     x: Range<u32>,
     y: Range<u32>,
@@ -201,6 +293,7 @@ struct Tile {
     pixels: Vec<Pixel>,
     rays: RayCounts,
     watch: Watch,
+    lamps_met: u64,
 }
 
 fn tiles([width, height]: [u32; 2], side: u32) -> Vec<Tile> {
@@ -217,6 +310,7 @@ fn tiles([width, height]: [u32; 2], side: u32) -> Vec<Tile> {
                 pixels: vec![Pixel::default(); count],
                 rays: RayCounts::default(),
                 watch: Watch::default(),
+                lamps_met: 0,
             }
         })
         .collect()
@@ -234,31 +328,29 @@ impl Tile {
         stop: &(dyn Fn() -> bool + Sync),
     ) -> bool {
         let mut tracer = Tracer::new(scene);
-        let columns = self.x.clone();
-        let places = self
-            .y
-            .clone()
-            .flat_map(|y| columns.clone().map(move |x| (x, y)));
         let run = even_run(pass.start);
         let ends_run = options.sampler == Sampler::Sobol && pass.end == run.end;
         let mut whole = true;
-        'pixels: for ((x, y), pixel) in places.zip(&mut self.pixels) {
-            for sample in pass.clone() {
-                whole = !stop();
-                if !whole {
-                    break 'pixels;
+        'pixels: for (y, row) in self.y.clone().zip(self.pixels.chunks_mut(self.x.len())) {
+            for (x, pixel) in self.x.clone().zip(row) {
+                for sample in pass.clone() {
+                    whole = !stop();
+                    if !whole {
+                        break 'pixels;
+                    }
+                    let (ray, stream) = camera_sample(&mut tracer, options, [x, y], sample);
+                    let li = integrator.li(&mut tracer, &ray, &stream);
+                    if self.watch.admits(li, BadSample { x, y, sample }) {
+                        pixel.add(li);
+                    }
                 }
-                let (ray, stream) = camera_sample(&mut tracer, options, [x, y], sample);
-                let li = integrator.li(&mut tracer, &ray, &stream);
-                if self.watch.admits(li, BadSample { x, y, sample }) {
-                    pixel.add(li);
+                if ends_run {
+                    pixel.end_run(run.end == 2 * run.start);
                 }
-            }
-            if ends_run {
-                pixel.end_run(run.end == 2 * run.start);
             }
         }
         self.rays += tracer.counts();
+        self.lamps_met |= tracer.lamps_met();
         whole
     }
 }

@@ -11,7 +11,7 @@ pub struct Goal {
     pub error: Option<f64>,
     /// How the errors of all pixels become one number.
     pub measure: Measure,
-    /// The time it may take, pilot included.
+    /// The time it may take, pilot included. Each pixel gets one sample, however long that takes.
     pub time: Option<Duration>,
 }
 
@@ -22,9 +22,10 @@ pub struct Pilot {
     pub spp: u32,
     /// Its seconds in the pixel loop.
     pub seconds: f64,
-    /// The relative error of its picture.
+    /// The relative error of its picture; infinite where it is not known.
     pub error: f64,
-    /// The relative standard error of that, as far as the scatter of pixels tells.
+    /// The relative standard error of that, as far as the scatter of pixels tells; infinite where it is
+    /// not known.
     pub uncertainty: f64,
 }
 
@@ -37,10 +38,14 @@ pub struct Prediction {
     pub spp: u32,
     /// Seconds in the pixel loop, without the pilot's.
     pub seconds: f64,
-    /// The relative error then.
+    /// The relative error then; infinite where it is not known.
     pub error: f64,
-    /// What sets the number of samples: the error, the time, or the most samples there may be.
+    /// What sets the number of samples: the error, the time, the most samples there may be, or that the
+    /// pilot saw no noise.
     pub limited_by: StoppedBy,
+    /// True where the pilot has random numbers of its own; false where it is the beginning of the picture
+    /// itself, and its word changes nothing.
+    pub separate: bool,
 }
 
 /// How far a render got.
@@ -51,7 +56,8 @@ pub struct Reached {
     /// Seconds since its first sample, without the pilot's.
     pub seconds: f64,
     /// Its relative error: by its own account, or, of less than two runs of even samples, by the
-    /// pilot's.
+    /// pilot's. Infinite where it is not known: where pixels have one sample, or all samples of each
+    /// pixel are alike.
     pub error: f64,
     /// Seconds it still needs to the target, where there is one.
     pub seconds_to_target: Option<f64>,
@@ -69,6 +75,9 @@ pub enum StoppedBy {
     Time,
     /// It has the samples that were asked for, or the most it may take.
     Samples,
+    /// All samples of each pixel are alike, so that no error can be told: they are exact, or what
+    /// differs is too rare to have been met.
+    NoNoise,
     /// Somebody stopped it.
     Interrupt,
 }

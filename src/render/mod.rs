@@ -5,6 +5,7 @@
 //! of threads nor the size of the tiles changes a bit.
 
 pub mod accuracy;
+mod clock;
 pub mod compare;
 mod film;
 mod film_loop;
@@ -15,7 +16,7 @@ pub mod target;
 mod watch;
 
 pub use film::{BadSample, Film, Pixel};
-pub use film_loop::{Options, Rendered, Session, camera_sample, render};
+pub use film_loop::{Options, Rendered, Session, camera_sample, render, rounding};
 pub use picture::Picture;
 pub use progress::Progress;
 pub use watch::{Faults, too_bright};

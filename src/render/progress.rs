@@ -1,6 +1,7 @@
 //! Who watches a render.
 
-use super::goal::{Prediction, Reached};
+use super::goal::{Pilot, Prediction, Reached};
+use std::time::{Duration, Instant};
 
 /// What is told while a render runs, and how it is stopped.
 pub trait Progress: Sync {
@@ -8,6 +9,12 @@ pub trait Progress: Sync {
     fn tell(&self, done: u64, total: u64);
     /// True to stop soon and keep what is there.
     fn stop(&self) -> bool;
+    /// The time gone since `start`. Who watches may have a clock of their own, which never goes back.
+    fn elapsed(&self, start: Instant) -> Duration {
+        start.elapsed()
+    }
+    /// A pilot got so far.
+    fn piloted(&self, _: &Pilot) {}
     /// A pilot says what a render to a goal will take.
     fn predicted(&self, _: &Prediction) {}
     /// A render to a goal got so far.

@@ -67,6 +67,7 @@ pub struct Tracer<'a, const MOVES: bool = true> {
     /// From 0, where the shutter opens, to 1, where it closes.
     time: f32,
     counts: RayCounts,
+    lamps_met: u64,
 }
 
 impl<'a> Tracer<'a> {
@@ -76,6 +77,7 @@ impl<'a> Tracer<'a> {
             scene,
             time: 0.0,
             counts: RayCounts::default(),
+            lamps_met: 0,
         }
     }
 
@@ -86,9 +88,11 @@ impl<'a> Tracer<'a> {
             scene: self.scene,
             time: 0.0,
             counts: RayCounts::default(),
+            lamps_met: 0,
         };
         let answer = look(&mut still);
         self.counts += still.counts;
+        self.lamps_met |= still.lamps_met;
         answer
     }
 }
@@ -109,6 +113,23 @@ impl<'a, const MOVES: bool> Tracer<'a, MOVES> {
     /// The rays asked for so far.
     pub fn counts(&self) -> RayCounts {
         self.counts
+    }
+
+    /// Notes that a walk met a lamp where it shines, if that is what it met.
+    pub fn note_lamp(&mut self, hit: &Hit, wo: Vec3) {
+        if let Some(light) = hit.object.light
+            && !hit.emitted(wo).is_black()
+        {
+            self.lamps_met |= 1 << light.min(Self::LAMPS_NOTED);
+        }
+    }
+
+    /// Lamps that are noted each for itself, by their index in [`Scene::lights`].
+    pub const LAMPS_NOTED: u32 = 63;
+
+    /// One bit for each of the first [`Tracer::LAMPS_NOTED`] lights that was noted, and one for all others.
+    pub fn lamps_met(&self) -> u64 {
+        self.lamps_met
     }
 
     /// What a ray from the camera meets.

@@ -7,6 +7,7 @@ mod converge;
 mod cost;
 mod doctor;
 mod interrupts;
+mod left_out;
 pub mod meshes;
 mod options;
 mod target;

@@ -46,6 +46,7 @@ impl<'a> Walkable<Solid> for Tracer<'a> {
         } else {
             self.secondary_ray(&ray)?
         };
+        self.note_lamp(&hit, -ray.direction);
         Some(SolidPoint::new(hit, ray.direction))
     }
 

@@ -2,13 +2,14 @@
 
 use super::MOST_SAMPLES;
 use super::worth::Worth;
+use super::{TIME_SHARE, own_error, whole};
 use crate::integrators::Integrator;
 use crate::render::accuracy::Accuracy;
+use crate::render::clock::Clock;
 use crate::render::goal::{Goal, Pilot, Prediction, StoppedBy};
 use crate::render::{Options, Progress, Rendered, Session};
 use crate::sampling::stream::{EVEN_SAMPLES, Sampler};
 use crate::scene::Scene;
-use std::time::Instant;
 
 /// A pilot's first look; it doubles from there.
 const FIRST: u32 = 32;
@@ -25,24 +26,49 @@ const SMALLEST_SHARE: f64 = 1.0 / 16.0;
 const STEADY: f64 = 0.1;
 /// ... of an error whose own relative error is less.
 const SURE: f64 = 0.02;
-/// The share of the time there is that a pilot may take.
-const TIME_SHARE: f64 = 0.1;
+/// One of so many samples may end at this share though its prediction is rough ...
+const LONG: u32 = 1024;
+const LONG_SHARE: f64 = 1.0 / 8.0;
+/// ... and one of so many in any case: what it says is wanted before the render is half done.
+const LONGEST: u32 = 4096;
 
 /// The seed of the pilot of a picture.
 pub fn pilot_seed(seed: u64) -> u64 {
     !seed
 }
 
-/// Runs a pilot until it can say what a render to the goal will take; the pilot's picture where it is
-/// interrupted. Without a limit of time, the clock has no say in the number of samples.
+/// Why a pilot says nothing.
+#[derive(Debug)]
+pub enum Unfinished {
+    /// Time was up before it could tell its error.
+    Late,
+    /// Somebody stopped it; its picture is kept.
+    Stopped(Box<Rendered>),
+}
+
+/// Runs a pilot until it can say what a render to the goal will take. Without a limit of time, the clock
+/// has no say in the number of samples.
 pub fn predict(
     scene: &Scene,
     integrator: &dyn Integrator,
     options: &Options,
     goal: &Goal,
     progress: &dyn Progress,
-) -> Result<Prediction, Box<Rendered>> {
-    let start = Instant::now();
+) -> Result<Prediction, Unfinished> {
+    let clock = goal.time.map(|time| Clock::new(time, progress));
+    pilot(scene, integrator, options, goal, clock.as_ref(), progress)
+}
+
+/// The same by a clock that is running already, of whose time the pilot may take a share.
+pub(super) fn pilot(
+    scene: &Scene,
+    integrator: &dyn Integrator,
+    options: &Options,
+    goal: &Goal,
+    clock: Option<&Clock>,
+    progress: &dyn Progress,
+) -> Result<Prediction, Unfinished> {
+    let own_clock = clock.map(|clock| clock.share(TIME_SHARE));
     let options = Options {
         seed: pilot_seed(options.seed),
         spp: LEAST,
@@ -53,28 +79,45 @@ pub fn predict(
     let mut before = f64::INFINITY;
     let mut spp = FIRST;
     loop {
-        session.advance(spp, progress);
+        let late = match &own_clock {
+            Some(clock) => session.advance_within(spp, spp, clock, progress),
+            None => {
+                session.advance(spp, progress);
+                false
+            }
+        };
         if session.interrupted() {
-            return Err(Box::new(session.finish()));
+            return Err(Unfinished::Stopped(Box::new(session.finish())));
         }
-        let accuracy = Accuracy::of(&session.film());
+        let left = clock.map(|clock| clock.left().as_secs_f64());
+        if late {
+            let said = (!looks.is_empty()).then(|| predicted(&looks, &options, goal, left, false));
+            return said.ok_or(Unfinished::Late);
+        }
+        let film = session.film();
         let look = Pilot {
             spp,
             seconds: session.time().as_secs_f64(),
-            error: accuracy.error(goal.measure),
-            uncertainty: accuracy.uncertainty(),
+            error: own_error(&film, goal.measure, session.rounding()),
+            uncertainty: known(Accuracy::of(&film).uncertainty()),
         };
+        progress.piloted(&look);
         looks.push(look);
-        let prediction = predicted(&looks, &options, goal, start.elapsed().as_secs_f64());
+        let blind = look.error.is_infinite() || look.error <= session.rounding();
+        let prediction = predicted(&looks, &options, goal, left, blind);
         let need = f64::from(prediction.spp);
         let share = f64::from(spp) / need;
         let steady = (need / before - 1.0).abs() < STEADY && look.uncertainty < SURE;
-        let late = goal.time.is_some_and(|time| {
-            2.0 * start.elapsed().as_secs_f64() > TIME_SHARE * time.as_secs_f64()
-        });
-        let long = spp >= LEAST && share >= LARGEST_SHARE && look.uncertainty < ROUGH;
-        let sure = steady && spp >= 2 * LEAST;
-        if share >= LARGE || long || sure && share >= SMALLEST_SHARE || late {
+        let enough = share >= LARGE
+            || spp >= LEAST && share >= LARGEST_SHARE && look.uncertainty < ROUGH
+            || spp >= 2 * LEAST && share >= SMALLEST_SHARE && steady
+            || spp >= LONG && share >= LONG_SHARE
+            || spp >= LONGEST;
+        // The next look would take as long as all before it.
+        let late = own_clock
+            .as_ref()
+            .is_some_and(|clock| clock.left() < clock.elapsed());
+        if enough || late || blind {
             return Ok(prediction);
         }
         before = need;
@@ -82,31 +125,51 @@ pub fn predict(
     }
 }
 
-/// What follows from the looks so far, `elapsed` seconds after the start.
-fn predicted(looks: &[Pilot], options: &Options, goal: &Goal, elapsed: f64) -> Prediction {
+/// What no division by zero has spoilt, or infinity.
+fn known(x: f64) -> f64 {
+    if x.is_nan() { f64::INFINITY } else { x }
+}
+
+/// What follows from the looks so far, of which there is one at least; `left` are the seconds there are,
+/// and `blind` where the last look saw no noise, or none that rounding does not make.
+fn predicted(
+    looks: &[Pilot],
+    options: &Options,
+    goal: &Goal,
+    left: Option<f64>,
+    blind: bool,
+) -> Prediction {
     let last = looks[looks.len() - 1];
     let per_sample = last.seconds / f64::from(last.spp);
     let worth = Worth::new(looks, options.sampler);
     let most = f64::from(MOST_SAMPLES);
-    let for_error = goal.error.map_or(most, |target| {
-        round_up(worth.samples(target * target), options.sampler).into()
-    });
-    let for_time = goal.time.map_or(most, |time| {
-        ((time.as_secs_f64() - elapsed) / per_sample)
-            .floor()
-            .max(1.0)
-    });
-    let (spp, limited_by) = match for_error.min(for_time).min(most) {
-        spp if spp < most && spp == for_error => (spp, StoppedBy::Error),
-        spp if spp < most => (spp, StoppedBy::Time),
+    let (for_error, for_what) = match goal.error {
+        // More would not change it: as many as the pilot.
+        Some(target) if blind && last.error > target => (f64::from(FIRST), StoppedBy::NoNoise),
+        Some(target) => {
+            let need = round_up(worth.samples(target * target), options.sampler);
+            (f64::from(need), StoppedBy::Error)
+        }
+        None => (most, StoppedBy::Samples),
+    };
+    let in_time = |left: f64| whole((left / per_sample).clamp(1.0, most) as u32, options.sampler);
+    let for_time = left.map_or(most, |left| in_time(left).into());
+    let (spp, limited_by) = match for_error.min(for_time) {
+        spp if spp < for_error => (spp, StoppedBy::Time),
+        spp if spp < most => (spp, for_what),
         spp => (spp, StoppedBy::Samples),
     };
     Prediction {
         pilot: last,
         spp: spp as u32,
         seconds: spp * per_sample,
-        error: worth.square(spp).sqrt(),
+        error: if last.error.is_infinite() {
+            f64::INFINITY
+        } else {
+            worth.square(spp).sqrt()
+        },
         limited_by,
+        separate: true,
     }
 }
 

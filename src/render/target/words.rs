@@ -1,24 +1,30 @@
 //! What is predicted and reached, in words.
 
-use crate::render::goal::{Prediction, Reached, StoppedBy};
+use crate::render::goal::{Pilot, Prediction, Reached, StoppedBy};
 use std::fmt::{Display, Formatter, Result};
+
+impl Display for Pilot {
+    fn fmt(&self, f: &mut Formatter<'_>) -> Result {
+        let (spp, time) = (count(self.spp.into(), "sample"), seconds(self.seconds));
+        write!(f, "{spp} per pixel in {time}, error {}", error(self.error))
+    }
+}
 
 impl Display for Prediction {
     fn fmt(&self, f: &mut Formatter<'_>) -> Result {
-        let pilot = &self.pilot;
         write!(
             f,
-            "pilot: {} samples per pixel in {} have an error of {}; predicted: {} samples, {}, error {}",
-            pilot.spp,
-            seconds(pilot.seconds),
-            percent(pilot.error),
-            self.spp,
+            "{}: {}; predicted: {}, {}, error {}",
+            if self.separate { "pilot" } else { "so far" },
+            self.pilot,
+            count(self.spp.into(), "sample"),
             seconds(self.seconds),
-            percent(self.error),
+            error(self.error),
         )?;
         match self.limited_by {
-            StoppedBy::Time => write!(f, ", for that is the time there is"),
-            StoppedBy::Samples => write!(f, ", the most samples there may be"),
+            StoppedBy::Time => write!(f, "; the time there is allows no more"),
+            StoppedBy::Samples => write!(f, "; a pixel may have no more"),
+            StoppedBy::NoNoise => write!(f, "; the pilot saw no noise"),
             StoppedBy::Error | StoppedBy::Interrupt => Ok(()),
         }
     }
@@ -26,26 +32,40 @@ impl Display for Prediction {
 
 impl Display for Reached {
     fn fmt(&self, f: &mut Formatter<'_>) -> Result {
-        let error = percent(self.error);
-        write!(
-            f,
-            "{} spp in {}: error {error}",
-            self.spp,
-            seconds(self.seconds)
-        )?;
-        if let Some(left) = self.seconds_to_target {
+        let (time, error) = (seconds(self.seconds), error(self.error));
+        write!(f, "{} spp in {time}: error {error}", self.spp)?;
+        if let Some(left) = self.seconds_to_target.filter(|left| left.is_finite()) {
             write!(f, ", target in {}", seconds(left))?;
         }
         write!(f, ", half of it in {}", seconds(self.seconds_to_half))
     }
 }
 
-/// A share as a percentage, rounded to three digits; `unknown` where it is not finite.
+/// `1 sample`, `2 samples`.
+pub fn count(n: u64, what: &str) -> String {
+    format!("{n} {what}{}", if n == 1 { "" } else { "s" })
+}
+
+/// An error as a percentage, or that it is not known.
+fn error(share: f64) -> String {
+    if share.is_finite() {
+        percent(share)
+    } else {
+        "not known".to_owned()
+    }
+}
+
+/// A share as a percentage of three digits, of two where it is less than a tenth of one; `unknown` where
+/// it is not finite.
 pub fn percent(share: f64) -> String {
     let percent = 100.0 * share;
     match percent {
         p if !p.is_finite() => "unknown".to_owned(),
-        // What rounds to 10.00 or 100.0 has a digit less behind the point.
+        p if p < 1e-4 && p > 0.0 => format!("{p:.1e} %"),
+        p if p < 0.1 && p > 0.0 => {
+            let digits = 1 - libm::floor(libm::log10(p)) as i32;
+            format!("{p:.*} %", digits.unsigned_abs() as usize)
+        }
         p if p < 9.995 => format!("{p:.2} %"),
         p if p < 99.95 => format!("{p:.1} %"),
         p => format!("{p:.0} %"),
@@ -58,9 +78,9 @@ pub fn seconds(seconds: f64) -> String {
         s if !s.is_finite() => "unknown time".to_owned(),
         s if s < 9.995 => format!("{s:.2} s"),
         s if s < 99.95 => format!("{s:.1} s"),
-        s if s < 6000.0 => {
-            let whole = s.round();
-            format!("{:.0} min {:02.0} s", (whole / 60.0).floor(), whole % 60.0)
+        s if s < 5999.5 => {
+            let whole = s.round() as u64;
+            format!("{} min {:02} s", whole / 60, whole % 60)
         }
         s => format!("{:.1} h", s / 3600.0),
     }
@@ -87,7 +107,8 @@ mod tests {
             (119.4, "1 min 59 s"),
             (119.6, "2 min 00 s"),
             (179.999, "3 min 00 s"),
-            (5999.6, "100 min 00 s"),
+            (5999.4, "99 min 59 s"),
+            (5999.6, "1.7 h"),
             (6000.0, "1.7 h"),
             (7380.0, "2.0 h"),
             (f64::NAN, "unknown time"),
@@ -95,7 +116,7 @@ mod tests {
         ] {
             assert_eq!(seconds(s), said, "{s}");
         }
-        for i in 0..60_000 {
+        for i in 0..59_900 {
             let s = 0.1 * f64::from(i) + 0.033;
             let said = seconds(s);
             let (read, step) = match numbers(&said)[..] {
@@ -140,5 +161,19 @@ mod tests {
             };
             assert!((read - p).abs() <= 0.5001 * step, "{p}: {said}");
         }
+    }
+    #[test]
+    fn small_shares_keep_two_digits_and_none_is_printed_as_nothing() {
+        let shown = [0.0, 1e-9, 4e-6, 1e-5, 0.00094, 0.02, 0.09999].map(percent);
+        let expected = [
+            "0.00 %",
+            "1.0e-7 %",
+            "0.00040 %",
+            "0.0010 %",
+            "0.094 %",
+            "2.00 %",
+            "10.0 %",
+        ];
+        assert_eq!(shown, expected);
     }
 }

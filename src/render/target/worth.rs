@@ -40,7 +40,8 @@ impl Worth {
         let first = 0.5 * (of_16 + of_32);
         let of_64 = match looks.len() {
             // Nothing is known of longer runs, but that the next doubling does as the last one did.
-            0..3 => of_32 * (of_32 / of_16),
+            0..3 if of_16 > 0.0 => of_32 * (of_32 / of_16),
+            0..3 => of_32,
             _ => {
                 let runs = f64::from(last.spp) / 64.0;
                 let long = (runs * worth(last) - first) / (runs - 1.0);
