@@ -7,12 +7,13 @@ use super::field::{self, Checked, Field, exactly_one};
 use super::motion::{self, Shutter};
 use super::parts::Parts;
 use super::placement::Placement;
+use super::spacing::Misplaced;
 use super::{
     BuildReport, Casters, Inventory, Object, Scene, Sky, Suggested, lamps, mesh_file, procedural,
-    spacing,
+    solids, spacing,
 };
 use crate::camera::{Camera, Lens};
-use crate::geometry::{Bvh, Mesh, Quad, Shape, Sphere};
+use crate::geometry::{Bvh, Mesh, Quad, Shape, Sphere, Triangle};
 use crate::lights::LightChoice;
 use crate::materials::Material;
 use glam::{DVec3, Vec3};
@@ -50,17 +51,30 @@ pub fn build(said: &Description, folder: Option<&Path>) -> Checked<Scene> {
         spans: Vec::new(),
         lights: Vec::new(),
         degenerate_triangles: 0,
+        fields: Vec::new(),
+        misplaced: Misplaced::default(),
+        notes: Vec::new(),
         inventory: Inventory::default(),
         used: BTreeSet::new(),
         lamp_places: Default::default(),
         hidden_lamps: 0,
     };
+    if let (Some(image), None) = (
+        said.environment.as_ref().and_then(|e| e.image.as_ref()),
+        &environment,
+    ) {
+        parts.note(format!(
+            "{}: every pixel is black, so it gives no light",
+            image.display()
+        ));
+    }
     for (i, light) in said.lights.iter().enumerate() {
         parts.add_light(&top.key("lights").item(i), light)?;
     }
     for (i, object) in said.objects.iter().enumerate() {
         parts.add_object(&top.key("objects").item(i), object)?;
     }
+    parts.note_solids();
     let unused = parts
         .materials
         .keys()
@@ -103,6 +117,7 @@ pub fn build(said: &Description, folder: Option<&Path>) -> Checked<Scene> {
             degenerate_triangles: parts.degenerate_triangles,
             coarse,
             hidden_lamps: parts.hidden_lamps,
+            notes: parts.notes,
             time: Duration::ZERO,
         },
         kinds: kinds(&parts.objects),
@@ -189,17 +204,57 @@ impl Parts<'_> {
         if let Some(material) = &material {
             self.inventory.count(material, &shapes);
         }
+        let has_inside = material.as_ref().is_some_and(solids::refracts);
+        if (has_inside || emission.is_some()) && solids::inside_out(&shapes) {
+            self.note(format!(
+                "{field} is closed and its front faces inwards, so that {}: turn its faces round",
+                if has_inside {
+                    "what it is made of lies outside"
+                } else {
+                    "it shines inwards"
+                }
+            ));
+        }
         match emission {
             Some(radiance) => self.push_lamp(shapes, material, radiance, way.span),
             None => self.push(shapes, material, None),
         }
         self.spans.resize(self.objects.len(), way.span);
+        self.fields.resize(self.objects.len(), field.clone());
         if said.motion.is_some_and(|motion| motion.0 != [0.0; 3]) {
             let moves = way.span != Vec3::ZERO;
             self.inventory.moving += usize::from(moves);
             self.inventory.frozen += usize::from(!moves);
         }
         Ok(())
+    }
+
+    /// Says what is odd about all objects together.
+    fn note_solids(&mut self) {
+        let Misplaced { shapes, by } = self.misplaced;
+        if shapes > 0 {
+            self.note(format!(
+                "{shapes} shapes are so large for their distance from the camera that rounding \
+                 moves them by up to {by:.2e}"
+            ));
+        }
+        let pairs = solids::touching(&self.all, &self.objects, &self.spans);
+        if let Some(&[a, b]) = pairs.first() {
+            let [a, b] = [a, b].map(|i| self.fields[i as usize].to_string());
+            let who = if a == b {
+                format!("{a} has two faces")
+            } else {
+                format!("{a} and {b} have faces")
+            };
+            let more = match pairs.len() - 1 {
+                0 => String::new(),
+                n => format!(" (and {n} more pairs)"),
+            };
+            self.note(format!(
+                "{who} in one place, and refract{more}: rays meet one of them only; leave one out and \
+                 give the other the ratio of both indices, or leave a gap"
+            ));
+        }
     }
 
     fn material_named(&mut self, field: &Field, name: &str) -> Checked<Material> {
@@ -247,27 +302,33 @@ impl Parts<'_> {
         exactly_one(field, "shape", kinds)?
     }
 
-    fn sphere(&self, field: &Field, said: &said::Sphere, place: &Placement) -> Checked<Vec<Shape>> {
+    fn sphere(
+        &mut self,
+        field: &Field,
+        said: &said::Sphere,
+        place: &Placement,
+    ) -> Checked<Vec<Shape>> {
         let center = field::vector(&field.key("center"), said.center)?;
         let radius_field = field.key("radius");
         let radius = field::positive(&radius_field, said.radius)?;
         let scale = place.uniform_scale().ok_or_else(|| {
             field.problem("cannot be scaled differently along different axes; use a mesh")
         })?;
-        let radius = field::positive(&radius_field, radius * scale)? as f32;
-        let center = self.within_reach(&field.key("center"), place.point(center))?;
+        let radius = field::positive(&radius_field, radius * scale)?;
+        let center = place.point(center);
         let sphere = Sphere {
-            center,
-            radius,
+            center: self.within_reach(&field.key("center"), center)?,
+            radius: radius as f32,
             inward: said.inward,
         };
         if !sphere.bounds().is_finite() {
             return Err(radius_field.problem("must end at most 3.4e38 away from the camera"));
         }
+        self.misplaced.sphere(center - self.origin, radius, &sphere);
         Ok(vec![Shape::Sphere(sphere)])
     }
 
-    fn quad(&self, field: &Field, said: &said::Quad, place: &Placement) -> Checked<Vec<Shape>> {
+    fn quad(&mut self, field: &Field, said: &said::Quad, place: &Placement) -> Checked<Vec<Shape>> {
         let corner = field::vector(&field.key("corner"), said.corner)?;
         let u = field::vector(&field.key("u"), said.u)?;
         let v = field::vector(&field.key("v"), said.v)?;
@@ -276,7 +337,7 @@ impl Parts<'_> {
     }
 
     fn parallelogram(
-        &self,
+        &mut self,
         field: &Field,
         corner: DVec3,
         u: DVec3,
@@ -285,12 +346,19 @@ impl Parts<'_> {
     ) -> Checked<Shape> {
         let (u, v) = (place.vector(u), place.vector(v));
         let (u, v) = if place.mirrors() { (v, u) } else { (u, v) };
-        Quad::new(place.point(corner) - self.origin, u, v)
-            .map(Shape::Quad)
-            .ok_or_else(|| field.problem("has no area: its edges are parallel, zero or too large"))
+        let corner = place.point(corner) - self.origin;
+        let what = "has no area: its edges are parallel, zero or too large";
+        let quad = Quad::new(corner, u, v).ok_or_else(|| field.problem(what))?;
+        self.misplaced.quad([corner, u, v], &quad);
+        Ok(Shape::Quad(quad))
     }
 
-    fn cuboid(&self, field: &Field, said: &said::Cuboid, place: &Placement) -> Checked<Vec<Shape>> {
+    fn cuboid(
+        &mut self,
+        field: &Field,
+        said: &said::Cuboid,
+        place: &Placement,
+    ) -> Checked<Vec<Shape>> {
         let min = field::vector(&field.key("min"), said.min)?;
         let max = field::vector(&field.key("max"), said.max)?;
         if !min.cmplt(max).all() {
@@ -343,9 +411,18 @@ impl Parts<'_> {
             return Err(field.problem("is only possible in a scene file of its own"));
         };
         let path = folder.join(&said.file);
-        let mesh = mesh_file::read(&path)
-            .map_err(|what| field.problem(format!("names {}, which {what}", path.display())))?;
-        Ok(self.mesh(mesh, place))
+        let complain =
+            |what: String| field.problem(format!("names {}, which {what}", path.display()));
+        let found = mesh_file::read(&path).map_err(complain)?;
+        self.degenerate_triangles += found.without_area;
+        for note in found.notes {
+            self.note(format!("{}: {note}", said.file.display()));
+        }
+        let shapes = self.mesh(found.mesh, place);
+        if shapes.is_empty() {
+            return Err(complain("has no triangle with an area".to_owned()));
+        }
+        Ok(shapes)
     }
 
     fn bumpy_sphere(
@@ -367,6 +444,11 @@ impl Parts<'_> {
             mesh.triangles.iter_mut().for_each(|t| t.swap(1, 2));
         }
         let (triangles, count) = mesh.to_triangles(|p| self.relative(place.point(p)));
+        for corners in &mesh.triangles {
+            let corners = corners.map(|i| place.point(mesh.vertices[i as usize]) - self.origin);
+            let [a, b, c] = corners.map(|p| p.as_vec3());
+            self.misplaced.triangle(&corners, &Triangle { a, b, c });
+        }
         self.degenerate_triangles += count.degenerate;
         triangles.into_iter().map(Shape::Triangle).collect()
     }

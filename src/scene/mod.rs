@@ -21,6 +21,7 @@ mod parts;
 mod placement;
 mod procedural;
 pub mod read;
+mod solids;
 mod spacing;
 pub mod tracer;
 
@@ -135,6 +136,8 @@ pub struct BuildReport {
     pub shapes: usize,
     /// Triangles left out because they have no area.
     pub degenerate_triangles: usize,
+    /// What else is to be said about the scene, in sentences.
+    pub notes: Vec<String>,
     /// Shapes of lamps left out because an earlier lamp shines in their very place.
     pub hidden_lamps: usize,
     /// What is too small for the numbers that say where it is.
