@@ -1,6 +1,8 @@
 //! From a description to a scene: every value is checked here, and named where it is wrong.
 
 mod materials;
+mod meshes;
+mod notes;
 
 use super::description::{self as said, Description};
 use super::field::{self, Checked, Field, exactly_one};
@@ -8,12 +10,9 @@ use super::motion::{self, Shutter};
 use super::parts::Parts;
 use super::placement::Placement;
 use super::spacing::Misplaced;
-use super::{
-    BuildReport, Casters, Inventory, Object, Scene, Sky, Suggested, lamps, mesh_file, procedural,
-    solids, spacing,
-};
+use super::{BuildReport, Casters, Inventory, Object, Scene, Sky, Suggested, lamps, spacing};
 use crate::camera::{Camera, Lens};
-use crate::geometry::{Bvh, Mesh, Quad, Shape, Sphere, Triangle};
+use crate::geometry::{Bvh, Quad, Shape, Sphere};
 use crate::lights::LightChoice;
 use crate::materials::Material;
 use glam::{DVec3, Vec3};
@@ -59,15 +58,7 @@ pub fn build(said: &Description, folder: Option<&Path>) -> Checked<Scene> {
         lamp_places: Default::default(),
         hidden_lamps: 0,
     };
-    if let (Some(image), None) = (
-        said.environment.as_ref().and_then(|e| e.image.as_ref()),
-        &environment,
-    ) {
-        parts.note(format!(
-            "{}: every pixel is black, so it gives no light",
-            image.display()
-        ));
-    }
+    parts.note_black_sky(said, environment.is_some());
     for (i, light) in said.lights.iter().enumerate() {
         parts.add_light(&top.key("lights").item(i), light)?;
     }
@@ -204,17 +195,7 @@ impl Parts<'_> {
         if let Some(material) = &material {
             self.inventory.count(material, &shapes);
         }
-        let has_inside = material.as_ref().is_some_and(solids::refracts);
-        if (has_inside || emission.is_some()) && solids::inside_out(&shapes) {
-            self.note(format!(
-                "{field} is closed and its front faces inwards, so that {}: turn its faces round",
-                if has_inside {
-                    "what it is made of lies outside"
-                } else {
-                    "it shines inwards"
-                }
-            ));
-        }
+        self.note_inside_out(field, material.as_ref(), emission.is_some(), &shapes);
         match emission {
             Some(radiance) => self.push_lamp(shapes, material, radiance, way.span),
             None => self.push(shapes, material, None),
@@ -227,34 +208,6 @@ impl Parts<'_> {
             self.inventory.frozen += usize::from(!moves);
         }
         Ok(())
-    }
-
-    /// Says what is odd about all objects together.
-    fn note_solids(&mut self) {
-        let Misplaced { shapes, by } = self.misplaced;
-        if shapes > 0 {
-            self.note(format!(
-                "{shapes} shapes are so large for their distance from the camera that rounding \
-                 moves them by up to {by:.2e}"
-            ));
-        }
-        let pairs = solids::touching(&self.all, &self.objects, &self.spans);
-        if let Some(&[a, b]) = pairs.first() {
-            let [a, b] = [a, b].map(|i| self.fields[i as usize].to_string());
-            let who = if a == b {
-                format!("{a} has two faces")
-            } else {
-                format!("{a} and {b} have faces")
-            };
-            let more = match pairs.len() - 1 {
-                0 => String::new(),
-                n => format!(" (and {n} more pairs)"),
-            };
-            self.note(format!(
-                "{who} in one place, and refract{more}: rays meet one of them only; leave one out and \
-                 give the other the ratio of both indices, or leave a gap"
-            ));
-        }
     }
 
     fn material_named(&mut self, field: &Field, name: &str) -> Checked<Material> {
@@ -377,79 +330,5 @@ impl Parts<'_> {
         .into_iter()
         .map(|(corner, u, v)| self.parallelogram(field, corner, u, v, place))
         .collect()
-    }
-
-    fn triangle(
-        &mut self,
-        field: &Field,
-        said: &said::Triangle,
-        place: &Placement,
-    ) -> Checked<Vec<Shape>> {
-        let mesh = Mesh {
-            vertices: vec![
-                field::vector(&field.key("a"), said.a)?,
-                field::vector(&field.key("b"), said.b)?,
-                field::vector(&field.key("c"), said.c)?,
-            ],
-            triangles: vec![[0, 1, 2]],
-        };
-        let shapes = self.mesh(mesh, place);
-        if shapes.is_empty() {
-            return Err(field.problem("has no area: its corners lie on one line, or too far away"));
-        }
-        Ok(shapes)
-    }
-
-    fn mesh_file(
-        &mut self,
-        field: &Field,
-        said: &said::MeshFile,
-        place: &Placement,
-    ) -> Checked<Vec<Shape>> {
-        let field = field.key("file");
-        let Some(folder) = self.folder else {
-            return Err(field.problem("is only possible in a scene file of its own"));
-        };
-        let path = folder.join(&said.file);
-        let complain =
-            |what: String| field.problem(format!("names {}, which {what}", path.display()));
-        let found = mesh_file::read(&path).map_err(complain)?;
-        self.degenerate_triangles += found.without_area;
-        for note in found.notes {
-            self.note(format!("{}: {note}", said.file.display()));
-        }
-        let shapes = self.mesh(found.mesh, place);
-        if shapes.is_empty() {
-            return Err(complain("has no triangle with an area".to_owned()));
-        }
-        Ok(shapes)
-    }
-
-    fn bumpy_sphere(
-        &mut self,
-        field: &Field,
-        said: &said::BumpySphere,
-        place: &Placement,
-    ) -> Checked<Vec<Shape>> {
-        let center = field::vector(&field.key("center"), said.center)?;
-        let radius = field::positive(&field.key("radius"), said.radius)?;
-        let columns = field::whole(&field.key("columns"), said.columns, 3, 4096)?;
-        let rows = field::whole(&field.key("rows"), said.rows, 2, 4096)?;
-        let mesh = procedural::bumpy_sphere(center, radius, columns, rows);
-        Ok(self.mesh(mesh, place))
-    }
-
-    fn mesh(&mut self, mut mesh: Mesh, place: &Placement) -> Vec<Shape> {
-        if place.mirrors() {
-            mesh.triangles.iter_mut().for_each(|t| t.swap(1, 2));
-        }
-        let (triangles, count) = mesh.to_triangles(|p| self.relative(place.point(p)));
-        for corners in &mesh.triangles {
-            let corners = corners.map(|i| place.point(mesh.vertices[i as usize]) - self.origin);
-            let [a, b, c] = corners.map(|p| p.as_vec3());
-            self.misplaced.triangle(&corners, &Triangle { a, b, c });
-        }
-        self.degenerate_triangles += count.degenerate;
-        triangles.into_iter().map(Shape::Triangle).collect()
     }
 }
