@@ -277,6 +277,28 @@ fn exr_holds_the_film_in_f32() {
 }
 
 #[test]
+fn the_root_layer_of_an_exr_file_is_red_green_and_blue_and_it_is_read_back() {
+    let (_folder, path) = written("exr", Display::Radiance);
+    let image = exr::prelude::read_first_flat_layer_from_file(&path).unwrap();
+    let channels = &image.layer_data.channel_data.list;
+    let names: Vec<String> = channels.iter().map(|c| c.name.to_string()).collect();
+    let (layers, root): (Vec<_>, Vec<_>) = names.iter().partition(|name| name.contains('.'));
+    assert_eq!(root, ["B", "G", "R"]);
+    assert_eq!(layers, ["error.B", "error.G", "error.R", "samples.Y"]);
+
+    let film = sample_film();
+    let picture = halfdisk::output::read(&path).unwrap();
+    let errors = picture.errors.expect("errors");
+    for (i, pixel) in film.pixels().iter().enumerate().skip(1) {
+        let same = |a: f64, b: f64| (a as f32).to_bits() == (b as f32).to_bits();
+        for c in 0..3 {
+            assert!(same(picture.values[i][c], pixel.mean().unwrap()[c]));
+            assert!(same(errors[i][c], pixel.channels[c].std_error()));
+        }
+    }
+}
+
+#[test]
 fn hdr_holds_the_film_to_one_percent() {
     let (_folder, path) = written("hdr", Display::Radiance);
     let image = image::open(&path).unwrap().to_rgb32f();

@@ -15,7 +15,7 @@ pub mod gallery;
 pub mod image_file;
 mod images;
 mod lamps;
-mod mesh_file;
+pub mod mesh_file;
 mod motion;
 mod parts;
 mod placement;

@@ -284,3 +284,66 @@ fn concave_polygons_cover_themselves_and_face_where_they_are_wound() {
         assert!(picture(&backwards, name) != expected, "{name}");
     }
 }
+
+#[test]
+fn a_mesh_in_map_coordinates_looks_as_it_does_near_the_origin() {
+    // Whole multiples of 1/4, so that `f64` adds them exactly; `f32` knows only halves there.
+    const FAR: [f64; 3] = [4_485_513.75, 701_362.25, 37.25];
+    let folder = folder();
+    let (expected, _) = picture(folder.path(), "near.ply", &CUBE.ply(Ply::Little));
+    let far = |v: &[f32; 3]| [0, 1, 2].map(|i| f64::from(v[i]) + FAR[i]);
+    let places: Vec<[f64; 3]> = CUBE.vertices.iter().map(far).collect();
+    let text = |begin: &str| {
+        let row = |[x, y, z]: &[f64; 3]| format!("{begin}{x} {y} {z}\n");
+        places.iter().map(row).collect::<String>()
+    };
+    let faces = |begin: &dyn Fn(usize) -> String, first: i32| {
+        let face = |face: &&[i32]| {
+            let corners: Vec<String> = face.iter().map(|i| (i + first).to_string()).collect();
+            format!("{} {}\n", begin(face.len()), corners.join(" "))
+        };
+        CUBE.faces.iter().map(face).collect::<String>()
+    };
+    let header = |format: &str| {
+        format!(
+            "ply\nformat {format} 1.0\nelement vertex {}\nproperty double x\nproperty double y\n\
+             property double z\nelement face {}\nproperty list uchar ushort vertex_indices\n\
+             end_header\n",
+            places.len(),
+            CUBE.faces.len()
+        )
+    };
+    let ascii = header("ascii") + &text("") + &faces(&|count| count.to_string(), 0);
+    let mut binary = header("binary_big_endian").into_bytes();
+    binary.extend(places.iter().flatten().flat_map(|x| x.to_be_bytes()));
+    for face in CUBE.faces {
+        binary.push(face.len() as u8);
+        binary.extend(face.iter().flat_map(|i| (*i as u16).to_be_bytes()));
+    }
+    let obj = text("v ") + &faces(&|_| "f".to_owned(), 1);
+    for (name, bytes) in [
+        ("far.obj", obj.into_bytes()),
+        ("far.ply", ascii.into_bytes()),
+        ("far.ply", binary),
+    ] {
+        std::fs::write(folder.path().join(name), bytes).unwrap();
+        let at = |x: [f64; 3]| {
+            let [x, y, z] = [0, 1, 2].map(|i| x[i] + FAR[i]);
+            format!("[{x}, {y}, {z}]")
+        };
+        let text = scene(name)
+            .replace("[1, 2, 5]", &at([1.0, 2.0, 5.0]))
+            .replace("[0, 0, 0]", &at([0.0; 3]))
+            .replace("[2, 4, 4]", &at([2.0, 4.0, 4.0]));
+        std::fs::write(folder.path().join("far.toml"), text).unwrap();
+        let output = halfdisk(
+            folder.path(),
+            &["render", "far.toml", "--spp", "2", "--out", "f.png"],
+        );
+        assert!(output.status.success(), "{}", complaint(&output));
+        assert!(
+            std::fs::read(folder.path().join("f.png")).unwrap() == expected,
+            "{name}"
+        );
+    }
+}

@@ -7,6 +7,7 @@ mod converge;
 mod cost;
 mod doctor;
 pub mod meshes;
+mod odd_scenes;
 mod target;
 
 use std::path::Path;

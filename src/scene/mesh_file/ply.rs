@@ -217,7 +217,7 @@ impl<'a> Lines<'a> {
     fn after(reader: &mut Reader<&'a [u8]>) -> Self {
         Lines {
             rest: reader.get_ref(),
-            line: reader.line(),
+            line: reader.line().saturating_sub(1),
         }
     }
 
