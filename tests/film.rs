@@ -290,11 +290,10 @@ fn the_root_layer_of_an_exr_file_is_red_green_and_blue_and_it_is_read_back() {
     let picture = halfdisk::output::read(&path).unwrap();
     let errors = picture.errors.expect("errors");
     for (i, pixel) in film.pixels().iter().enumerate().skip(1) {
-        let same = |a: f64, b: f64| (a as f32).to_bits() == (b as f32).to_bits();
-        for c in 0..3 {
-            assert!(same(picture.values[i][c], pixel.mean().unwrap()[c]));
-            assert!(same(errors[i][c], pixel.channels[c].std_error()));
-        }
+        let as_f32 = |values: [f64; 3]| values.map(|x| (x as f32).to_bits());
+        assert_eq!(as_f32(picture.values[i]), as_f32(pixel.mean().unwrap()));
+        let expected = pixel.channels.each_ref().map(|c| c.std_error());
+        assert_eq!(as_f32(errors[i]), as_f32(expected));
     }
 }
 
