@@ -264,8 +264,8 @@ fn exr_holds_the_film_in_f32() {
         check(name, &|p| p.mean().map_or(f64::NAN, |m| m[i]));
         check(&format!("error.{name}"), &|p| p.channels[i].std_error());
     }
-    check("samples", &|p| p.count() as f64);
-    assert!(channel(&path, "R")[0].is_nan() && channel(&path, "samples")[0] == 0.0);
+    check("samples.Y", &|p| p.count() as f64);
+    assert!(channel(&path, "R")[0].is_nan() && channel(&path, "samples.Y")[0] == 0.0);
 
     let image = exr::prelude::read_first_flat_layer_from_file(&path).unwrap();
     assert_eq!((image.layer_data.size.0, image.layer_data.size.1), (6, 4));
@@ -274,6 +274,27 @@ fn exr_holds_the_film_in_f32() {
         panic!("the provenance is text");
     };
     check_facts(&facts.to_string());
+}
+
+#[test]
+fn the_root_layer_of_an_exr_file_is_red_green_and_blue_and_it_is_read_back() {
+    let (_folder, path) = written("exr", Display::Radiance);
+    let image = exr::prelude::read_first_flat_layer_from_file(&path).unwrap();
+    let channels = &image.layer_data.channel_data.list;
+    let names: Vec<String> = channels.iter().map(|c| c.name.to_string()).collect();
+    let (layers, root): (Vec<_>, Vec<_>) = names.iter().partition(|name| name.contains('.'));
+    assert_eq!(root, ["B", "G", "R"]);
+    assert_eq!(layers, ["error.B", "error.G", "error.R", "samples.Y"]);
+
+    let film = sample_film();
+    let picture = halfdisk::output::read(&path).unwrap();
+    let errors = picture.errors.expect("errors");
+    for (i, pixel) in film.pixels().iter().enumerate().skip(1) {
+        let as_f32 = |values: [f64; 3]| values.map(|x| (x as f32).to_bits());
+        assert_eq!(as_f32(picture.values[i]), as_f32(pixel.mean().unwrap()));
+        let expected = pixel.channels.each_ref().map(|c| c.std_error());
+        assert_eq!(as_f32(errors[i]), as_f32(expected));
+    }
 }
 
 #[test]

@@ -54,6 +54,9 @@ pub(super) fn report(
             scene.report.degenerate_triangles
         ));
     }
+    for note in &scene.report.notes {
+        line(format!("note: {note}"));
+    }
     if scene.report.hidden_lamps > 0 {
         line(format!(
             "note: {} lamps in the very place of an earlier one were left out",
@@ -116,6 +119,7 @@ pub(super) fn as_json(
         "rays": rendered.rays,
         "rays_per_second": rendered.rays.total() as f64 / seconds,
         "mean": { "value": mean, "error": error },
+        "notes": scene.report.notes,
         "hidden_lamps": scene.report.hidden_lamps,
         "coarse_shapes": scene.report.coarse.map_or(0, |c| c.shapes),
         "non_finite": rendered.non_finite,

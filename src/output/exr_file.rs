@@ -7,9 +7,10 @@ use std::io::Cursor;
 
 /// A film as an EXR file.
 ///
-/// Channels `R`, `G`, `B` hold the mean, `error.R`, `error.G`, `error.B` its standard error
-/// (infinite from one sample; of even samples from the scatter of their runs), `samples` how many finite samples the pixel has. A pixel without
-/// one is NaN. The provenance is the text attribute `halfdisk`: a single attribute, because the
+/// The root layer `R`, `G`, `B` holds the mean and nothing else, so that every reader finds a picture;
+/// the layer `error.R`, `error.G`, `error.B` its standard error (infinite from one sample; of even
+/// samples from the scatter of their runs); the layer `samples.Y` how many finite samples the pixel
+/// has. A pixel without one is NaN. The provenance is the text attribute `halfdisk`: a single attribute, because the
 /// order of several is not stable from run to run.
 pub fn bytes(film: &Film, provenance: &Provenance) -> std::result::Result<Vec<u8>, OutputError> {
     encode(film, provenance).map_err(|e| OutputError::Encoding("EXR".to_owned(), e))
@@ -29,7 +30,7 @@ fn encode(film: &Film, provenance: &Provenance) -> std::result::Result<Vec<u8>, 
         channel("error.R", &error(0)),
         channel("error.G", &error(1)),
         channel("error.B", &error(2)),
-        channel("samples", &|p| p.count() as f64),
+        channel("samples.Y", &|p| p.count() as f64),
     ];
 
     let facts = serde_json::to_string(provenance).map_err(|e| e.to_string())?;

@@ -3,7 +3,6 @@
 use super::{Format, OutputError};
 use crate::render::Picture;
 use crate::scene::image_file;
-use exr::prelude::*;
 use std::path::Path;
 
 /// The most pixels a picture may have that is read.
@@ -11,7 +10,7 @@ const MAX_PIXELS: usize = 1 << 25;
 
 /// Reads a picture: PNG (decoded to linear light), HDR, or EXR, whose channels `error.R`, `error.G`
 /// and `error.B` are standard errors, if there are any.
-pub fn read(path: &Path) -> std::result::Result<Picture, OutputError> {
+pub fn read(path: &Path) -> Result<Picture, OutputError> {
     let name = || path.display().to_string();
     let format = Format::of(path).ok_or_else(|| OutputError::Format(name()))?;
     let (width, pixels) =
@@ -28,16 +27,9 @@ pub fn read(path: &Path) -> std::result::Result<Picture, OutputError> {
     })
 }
 
-/// The error channels of an EXR file; `None` where it has not all three.
+/// The errors in an EXR file; `None` where it has none, or they are of another size.
 fn errors(path: &Path, count: usize) -> Option<Vec<[f64; 3]>> {
-    let image = read_first_flat_layer_from_file(path).ok()?;
-    let channel = |name: &str| -> Option<Vec<f64>> {
-        let mut all = image.layer_data.channel_data.list.iter();
-        let found = all.find(|c| c.name.eq(name))?;
-        let values: Vec<f64> = found.sample_data.values_as_f32().map(f64::from).collect();
-        (values.len() == count).then_some(values)
-    };
-    let [r, g, b] = ["error.R", "error.G", "error.B"].map(channel);
-    let (r, g, b) = (r?, g?, b?);
-    Some((0..count).map(|i| [r[i], g[i], b[i]]).collect())
+    let (_, errors) = image_file::layer(path, "error", MAX_PIXELS).ok()??;
+    let errors: Vec<[f64; 3]> = errors.iter().map(|e| e.channels().map(f64::from)).collect();
+    (errors.len() == count).then_some(errors)
 }

@@ -1,6 +1,8 @@
 //! From a description to a scene: every value is checked here, and named where it is wrong.
 
 mod materials;
+mod meshes;
+mod notes;
 
 use super::description::{self as said, Description};
 use super::field::{self, Checked, Field, exactly_one};
@@ -8,12 +10,12 @@ use super::lamps::Emission;
 use super::motion::{self, Shutter};
 use super::parts::Parts;
 use super::placement::Placement;
+use super::spacing::Misplaced;
 use super::{
-    BuildReport, Casters, Contacts, Inventory, Object, Scene, Sky, Suggested, lamps, mesh_file,
-    procedural, spacing,
+    BuildReport, Casters, Contacts, Inventory, Object, Scene, Sky, Suggested, lamps, spacing,
 };
 use crate::camera::{Camera, Lens};
-use crate::geometry::{Bvh, Mesh, Quad, Shape, Sphere};
+use crate::geometry::{Bvh, Quad, Shape, Sphere};
 use crate::lights::{Light, LightChoice, SkyLight};
 use crate::materials::Material;
 use glam::{DVec3, Vec3};
@@ -51,17 +53,22 @@ pub fn build(said: &Description, folder: Option<&Path>) -> Checked<Scene> {
         spans: Vec::new(),
         lights: Vec::new(),
         degenerate_triangles: 0,
+        fields: Vec::new(),
+        misplaced: Misplaced::default(),
+        notes: Vec::new(),
         inventory: Inventory::default(),
         used: BTreeSet::new(),
         lamp_places: Default::default(),
         hidden_lamps: 0,
     };
+    parts.note_black_sky(said, environment.is_some());
     for (i, light) in said.lights.iter().enumerate() {
         parts.add_light(&top.key("lights").item(i), light)?;
     }
     for (i, object) in said.objects.iter().enumerate() {
         parts.add_object(&top.key("objects").item(i), object)?;
     }
+    parts.note_solids();
     let unused = parts
         .materials
         .keys()
@@ -119,6 +126,7 @@ pub fn build(said: &Description, folder: Option<&Path>) -> Checked<Scene> {
             coarse,
             hidden_lamps: parts.hidden_lamps,
             files: Vec::new(),
+            notes: parts.notes,
             time: Duration::ZERO,
         },
         kinds: kinds(&parts.objects),
@@ -212,11 +220,13 @@ impl Parts<'_> {
         if let Some(material) = &material {
             self.inventory.count(material, &shapes);
         }
+        self.note_inside_out(field, material.as_ref(), emission.is_some(), &shapes);
         match emission {
             Some(emission) => self.push_lamp(shapes, material, emission, way.span),
             None => self.push(shapes, material, None),
         }
         self.spans.resize(self.objects.len(), way.span);
+        self.fields.resize(self.objects.len(), field.clone());
         if said.motion.is_some_and(|motion| motion.0 != [0.0; 3]) {
             let moves = way.span != Vec3::ZERO;
             self.inventory.moving += usize::from(moves);
@@ -281,27 +291,33 @@ impl Parts<'_> {
         exactly_one(field, "shape", kinds)?
     }
 
-    fn sphere(&self, field: &Field, said: &said::Sphere, place: &Placement) -> Checked<Vec<Shape>> {
+    fn sphere(
+        &mut self,
+        field: &Field,
+        said: &said::Sphere,
+        place: &Placement,
+    ) -> Checked<Vec<Shape>> {
         let center = field::vector(&field.key("center"), said.center)?;
         let radius_field = field.key("radius");
         let radius = field::positive(&radius_field, said.radius)?;
         let scale = place.uniform_scale().ok_or_else(|| {
             field.problem("cannot be scaled differently along different axes; use a mesh")
         })?;
-        let radius = field::positive(&radius_field, radius * scale)? as f32;
-        let center = self.within_reach(&field.key("center"), place.point(center))?;
+        let radius = field::positive(&radius_field, radius * scale)?;
+        let center = place.point(center);
         let sphere = Sphere {
-            center,
-            radius,
+            center: self.within_reach(&field.key("center"), center)?,
+            radius: radius as f32,
             inward: said.inward,
         };
         if !sphere.bounds().is_finite() {
             return Err(radius_field.problem("must end at most 3.4e38 away from the camera"));
         }
+        self.misplaced.sphere(center - self.origin, radius, &sphere);
         Ok(vec![Shape::Sphere(sphere)])
     }
 
-    fn quad(&self, field: &Field, said: &said::Quad, place: &Placement) -> Checked<Vec<Shape>> {
+    fn quad(&mut self, field: &Field, said: &said::Quad, place: &Placement) -> Checked<Vec<Shape>> {
         let corner = field::vector(&field.key("corner"), said.corner)?;
         let u = field::vector(&field.key("u"), said.u)?;
         let v = field::vector(&field.key("v"), said.v)?;
@@ -310,7 +326,7 @@ impl Parts<'_> {
     }
 
     fn parallelogram(
-        &self,
+        &mut self,
         field: &Field,
         corner: DVec3,
         u: DVec3,
@@ -319,12 +335,19 @@ impl Parts<'_> {
     ) -> Checked<Shape> {
         let (u, v) = (place.vector(u), place.vector(v));
         let (u, v) = if place.mirrors() { (v, u) } else { (u, v) };
-        Quad::new(place.point(corner) - self.origin, u, v)
-            .map(Shape::Quad)
-            .ok_or_else(|| field.problem("has no area: its edges are parallel, zero or too large"))
+        let corner = place.point(corner) - self.origin;
+        let what = "has no area: its edges are parallel, zero or too large";
+        let quad = Quad::new(corner, u, v).ok_or_else(|| field.problem(what))?;
+        self.misplaced.quad([corner, u, v], &quad);
+        Ok(Shape::Quad(quad))
     }
 
-    fn cuboid(&self, field: &Field, said: &said::Cuboid, place: &Placement) -> Checked<Vec<Shape>> {
+    fn cuboid(
+        &mut self,
+        field: &Field,
+        said: &said::Cuboid,
+        place: &Placement,
+    ) -> Checked<Vec<Shape>> {
         let min = field::vector(&field.key("min"), said.min)?;
         let max = field::vector(&field.key("max"), said.max)?;
         if !min.cmplt(max).all() {
@@ -343,65 +366,5 @@ impl Parts<'_> {
         .into_iter()
         .map(|(corner, u, v)| self.parallelogram(field, corner, u, v, place))
         .collect()
-    }
-
-    fn triangle(
-        &mut self,
-        field: &Field,
-        said: &said::Triangle,
-        place: &Placement,
-    ) -> Checked<Vec<Shape>> {
-        let mesh = Mesh {
-            vertices: vec![
-                field::vector(&field.key("a"), said.a)?,
-                field::vector(&field.key("b"), said.b)?,
-                field::vector(&field.key("c"), said.c)?,
-            ],
-            triangles: vec![[0, 1, 2]],
-        };
-        let shapes = self.mesh(mesh, place);
-        if shapes.is_empty() {
-            return Err(field.problem("has no area: its corners lie on one line, or too far away"));
-        }
-        Ok(shapes)
-    }
-
-    fn mesh_file(
-        &mut self,
-        field: &Field,
-        said: &said::MeshFile,
-        place: &Placement,
-    ) -> Checked<Vec<Shape>> {
-        let field = field.key("file");
-        let Some(folder) = self.folder else {
-            return Err(field.problem("is only possible in a scene file of its own"));
-        };
-        let path = folder.join(&said.file);
-        let mesh = mesh_file::read(&path)
-            .map_err(|what| field.problem(format!("names {}, which {what}", path.display())))?;
-        Ok(self.mesh(mesh, place))
-    }
-
-    fn bumpy_sphere(
-        &mut self,
-        field: &Field,
-        said: &said::BumpySphere,
-        place: &Placement,
-    ) -> Checked<Vec<Shape>> {
-        let center = field::vector(&field.key("center"), said.center)?;
-        let radius = field::positive(&field.key("radius"), said.radius)?;
-        let columns = field::whole(&field.key("columns"), said.columns, 3, 4096)?;
-        let rows = field::whole(&field.key("rows"), said.rows, 2, 4096)?;
-        let mesh = procedural::bumpy_sphere(center, radius, columns, rows);
-        Ok(self.mesh(mesh, place))
-    }
-
-    fn mesh(&mut self, mut mesh: Mesh, place: &Placement) -> Vec<Shape> {
-        if place.mirrors() {
-            mesh.triangles.iter_mut().for_each(|t| t.swap(1, 2));
-        }
-        let (triangles, count) = mesh.to_triangles(|p| self.relative(place.point(p)));
-        self.degenerate_triangles += count.degenerate;
-        triangles.into_iter().map(Shape::Triangle).collect()
     }
 }

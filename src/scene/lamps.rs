@@ -191,18 +191,19 @@ pub(super) fn environment(
     });
     let image = environment.image.as_ref().map(|file| {
         let light = image_light(&field, environment, file, folder)?;
-        Ok((Rgb::BLACK, Some(Light::Environment(light))))
+        Ok((Rgb::BLACK, light.map(Light::Environment)))
     });
     let kinds = vec![("radiance", radiance), ("image", image)];
     exactly_one(&field, "kind of environment", kinds)?
 }
 
+/// The light of an image; `None` where all of it is black.
 fn image_light(
     field: &Field,
     said: &said::Environment,
     file: &Path,
     folder: Option<&Path>,
-) -> Checked<EnvironmentLight> {
+) -> Checked<Option<EnvironmentLight>> {
     let scale = field::positive(&field.key("scale"), said.scale.unwrap_or(1.0))?;
     let degrees = field::finite(&field.key("rotate"), said.rotate.unwrap_or(0.0))?;
     let field = field.key("image");
@@ -224,6 +225,5 @@ fn image_light(
         }
         *pixel = Rgb::from(scaled);
     }
-    EnvironmentLight::new(width, pixels, degrees.to_radians())
-        .ok_or_else(|| complain("gives no light at all: every pixel is black".to_owned()))
+    Ok(EnvironmentLight::new(width, pixels, degrees.to_radians()))
 }

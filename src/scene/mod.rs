@@ -16,12 +16,13 @@ pub mod gallery;
 pub mod image_file;
 mod images;
 mod lamps;
-mod mesh_file;
+pub mod mesh_file;
 mod motion;
 mod parts;
 mod placement;
 mod procedural;
 pub mod read;
+mod solids;
 mod spacing;
 mod tables;
 pub mod tracer;
@@ -165,6 +166,8 @@ pub struct BuildReport {
     pub shapes: usize,
     /// Triangles left out because they have no area.
     pub degenerate_triangles: usize,
+    /// What else is to be said about the scene, in sentences.
+    pub notes: Vec<String>,
     /// Shapes of lamps left out because an earlier lamp shines in their very place.
     pub hidden_lamps: usize,
     /// What is too small for the numbers that say where it is.

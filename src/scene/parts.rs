@@ -2,6 +2,7 @@
 
 use super::field::{Checked, Field};
 use super::motion::Shutter;
+use super::spacing::Misplaced;
 use super::{Inventory, Object};
 use crate::geometry::Shape;
 use crate::lights::Light;
@@ -24,6 +25,12 @@ pub(super) struct Parts<'a> {
     pub(super) spans: Vec<Vec3>,
     pub(super) lights: Vec<Light>,
     pub(super) degenerate_triangles: usize,
+    /// For each object where the file says it.
+    pub(super) fields: Vec<Field>,
+    /// What is so large that rounding moves it.
+    pub(super) misplaced: Misplaced,
+    /// What else is to be said about the scene.
+    pub(super) notes: Vec<String>,
     /// What was found so far.
     pub(super) inventory: Inventory,
     /// Names of the materials that objects use.
@@ -35,6 +42,13 @@ pub(super) struct Parts<'a> {
 }
 
 impl Parts<'_> {
+    /// Keeps a sentence for the report, once.
+    pub(super) fn note(&mut self, sentence: String) {
+        if !self.notes.contains(&sentence) {
+            self.notes.push(sentence);
+        }
+    }
+
     /// A point, relative to the camera.
     pub(super) fn relative(&self, p: DVec3) -> Vec3 {
         (p - self.origin).as_vec3()

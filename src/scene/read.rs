@@ -6,7 +6,6 @@ use serde::de::DeserializeOwned;
 use std::borrow::Cow;
 use std::ops::Range;
 use std::path::Path;
-use std::string::FromUtf8Error;
 use toml::Spanned;
 use toml::de::{DeTable, DeValue};
 
@@ -39,14 +38,13 @@ pub enum SceneError {
 }
 
 impl SceneError {
-    /// The error of a file that is not UTF-8.
-    fn not_text(file: &str, error: &FromUtf8Error) -> SceneError {
-        let proper = &error.as_bytes()[..error.utf8_error().valid_up_to()];
+    /// The error of a file that is not text after these bytes.
+    fn not_text(file: &str, proper: &[u8], what: &str) -> SceneError {
         SceneError::Value {
             file: file.to_owned(),
             line: line_after(proper),
             field: String::new(),
-            what: "is not text: a scene file must be UTF-8".to_owned(),
+            what: format!("is not text: {what}"),
         }
     }
 }
@@ -86,8 +84,39 @@ pub fn text_of(
         return Err(refuse(reason.to_owned()));
     }
     let bytes = std::fs::read(path).map_err(|e| refuse(format!("cannot be read: {e}")))?;
-    let text = String::from_utf8(bytes).map_err(|e| SceneError::not_text(scene, &e))?;
-    Ok(Cow::Owned(text))
+    decode(scene, bytes).map(Cow::Owned)
+}
+
+/// The text of a file in UTF-8, or in UTF-16 that a byte order mark announces: so Windows PowerShell
+/// redirects what a program prints.
+fn decode(file: &str, bytes: Vec<u8>) -> Result<String, SceneError> {
+    let unit: fn([u8; 2]) -> u16 = match bytes.as_slice() {
+        [0xff, 0xfe, ..] => u16::from_le_bytes,
+        [0xfe, 0xff, ..] => u16::from_be_bytes,
+        _ => {
+            let text = String::from_utf8(bytes).map_err(|e| {
+                let proper = &e.as_bytes()[..e.utf8_error().valid_up_to()];
+                SceneError::not_text(file, proper, "a scene file must be UTF-8")
+            })?;
+            return match text.find('\0') {
+                None => Ok(text),
+                Some(at) => {
+                    let what = "it has a character 0, as UTF-16 without a byte order mark has; save it as UTF-8";
+                    Err(SceneError::not_text(file, &text.as_bytes()[..at], what))
+                }
+            };
+        }
+    };
+    let (pairs, odd) = bytes.as_chunks::<2>();
+    let units: Vec<u16> = pairs[1..].iter().map(|pair| unit(*pair)).collect();
+    match String::from_utf16(&units) {
+        Ok(text) if odd.is_empty() => Ok(text),
+        _ => Err(SceneError::not_text(
+            file,
+            &[],
+            "it begins like UTF-16, but is not; save it as UTF-8",
+        )),
+    }
 }
 
 /// The error of a name that is neither in the gallery nor a file.

@@ -1,6 +1,6 @@
 //! Broken mesh files: the sentence names the scene's line and field, and the mesh.
 
-use super::meshes::{Ply, TETRAHEDRON, scene};
+use super::meshes::{Ply, Solid, TETRAHEDRON, scene};
 use super::{folder, scene_refused};
 use std::time::{Duration, Instant};
 
@@ -88,7 +88,7 @@ fn broken_ply_files() {
     check(
         "a.ply",
         &ply("element face", "element fase"),
-        "no element `face`",
+        "no element `face` or `tristrips`",
     );
     check("a.ply", &ply("float z", "float w"), "no property `z`");
     check(
@@ -101,7 +101,13 @@ fn broken_ply_files() {
         &ply("list uchar int", "list uchar float"),
         "no list `vertex_indices`",
     );
-    check("a.ply", &ply("0 1 200 0\n", "0 nan 200 0\n"), "Line 13");
+    check(
+        "a.ply",
+        &ply("0 1 200 0\n", "0 nan 200 0\n"),
+        "vertex (number 0) whose coordinates",
+    );
+    check("a.ply", &ply("0 1 200 0\n", "0 one 200 0\n"), "Line 13");
+    check("a.ply", &ply("0 1 200 0\n", "0 1 200 0 7\n"), "Line 13");
     check("a.ply", &ply("0 1 200 0\n", "0 1\n"), "Line 13");
     check(
         "a.ply",
@@ -111,7 +117,7 @@ fn broken_ply_files() {
     check(
         "a.ply",
         &ply("3 0 1 2", "3 0 1 4"),
-        "no vertex 4, which triangle 0 uses: there are 4",
+        "no vertex 4, which face 0 uses: there are 4",
     );
     check(
         "a.ply",
@@ -193,51 +199,111 @@ fn broken_obj_files() {
         assert!(right.contains(from), "{from}");
         right.replacen(from, to, 1).into_bytes()
     };
-    check("a.obj", b"", "has no vertices");
-    check("a.obj", b"\x7fELF\0\xff\xfe\n", "has no vertices");
-    check("a.obj", &obj("f 1 2 3", "f 1 2 5"), "index out of bounds");
-    check("a.obj", &obj("f 1 2 3", "f 1 2 -5"), "index out of bounds");
-    check("a.obj", &obj("f 1 2 3", "f 0 1 2"), "index out of bounds");
+    check("a.obj", b"", "has no faces, only 0 vertices");
     check(
         "a.obj",
-        &obj("f 1 2 3", "f 1 2 9223372036854775807"),
-        "index out of bounds",
+        b"v 0 0 0\nl 1 1\n",
+        "has no faces, only 1 vertices; ignored: l (1)",
+    );
+    check("a.obj", b"\x7fELF\0\xff\xfe\n", "line 1: ");
+    let begin = "is not a proper OBJ file: line ";
+    let bad = |from: &str, to: &str, line: usize, words: &str| {
+        check("a.obj", &obj(from, to), &format!("{begin}{line}: {words}"));
+    };
+    let (v, f) = (6, 14);
+    bad("f 1 2 3", "f 1 2 5", f, "there is no vertex 5, only 4");
+    bad(
+        "f 1 2 3",
+        "f 1 2 -5",
+        f,
+        "there is no vertex -5, only 4 so far",
+    );
+    bad("f 1 2 3", "f 0 1 2", f, "there is no vertex 0");
+    bad(
+        "f 1 2 3",
+        "f 1 2 9223372036854775807",
+        f,
+        "there is no vertex 9223372036854775807",
+    );
+    bad(
+        "f 1 2 3",
+        "f 1 2 99999999999999999999",
+        f,
+        "\"99999999999999999999\" is not a corner",
+    );
+    bad("f 1 2 3", "f 1 2 x", f, "\"x\" is not a corner");
+    bad("f 1 2 3", "f 1 2 3/a", f, "\"3/a\" is not a corner");
+    bad("f 1 2 3", "f 1/1/1/1 2 3", f, "\"1/1/1/1\" is not a corner");
+    bad("f 1 2 3", "f 1 2 3.5", f, "\"3.5\" is not a corner");
+    bad("f 1 2 3", "f", f, "the face has no corners");
+    bad("v 0 1 0", "v 0 1", v, "a vertex is x, y, z");
+    bad("v 0 1 0", "v 0 1 0 1 1", v, "a vertex is x, y, z");
+    bad("v 0 1 0", "v 0 one 0", v, "\"one\" is not a number");
+    bad("v 0 1 0", "v 0,1 0 0", v, "\"0,1\" is not a number");
+    bad(
+        "v 0 1 0",
+        "v 0 nan 0",
+        v,
+        "the vertex has coordinates that are not finite",
+    );
+    bad(
+        "v 0 1 0",
+        "v 0 1e39 0",
+        v,
+        "the vertex has coordinates that are not finite",
+    );
+    bad("v 0 1 0", "0 1 0", v, "\"0\" is no keyword");
+    let long = "x".repeat(10_000);
+    bad(
+        "v 0 1 0",
+        &long,
+        v,
+        "\"xxxxxxxxxxxxxxxxxxxx\" is no keyword",
+    );
+}
+
+#[test]
+fn a_mesh_without_faces_is_refused() {
+    let no_faces = |vertices| Solid {
+        vertices,
+        faces: &[],
+    };
+    let empty = no_faces(TETRAHEDRON.vertices);
+    for kind in [Ply::Ascii, Ply::Little, Ply::Big] {
+        check("a.ply", &empty.ply(kind), "has no faces, only 4 vertices");
+        check(
+            "a.ply",
+            &no_faces(&[]).ply(kind),
+            "has no faces, only 0 vertices",
+        );
+    }
+    check(
+        "a.obj",
+        &empty.obj(|i| i.to_string()),
+        "has no faces, only 4 vertices",
+    );
+    // Nor is anything to be seen of faces that are lines.
+    let line = Solid {
+        vertices: TETRAHEDRON.vertices,
+        faces: &[&[0, 1, 1], &[2, 2, 2, 2]],
+    };
+    check(
+        "a.ply",
+        &line.ply(Ply::Ascii),
+        "has no triangle with an area",
     );
     check(
         "a.obj",
-        &obj("f 1 2 3", "f 1 2 99999999999999999999"),
-        "face parse error",
+        &line.obj(|i| (i + 1).to_string()),
+        "has no triangle with an area",
     );
-    check("a.obj", &obj("f 1 2 3", "f 1 2 x"), "face parse error");
-    check(
-        "a.obj",
-        &obj("f 1 2 3", "f 1 2"),
-        "fewer than 3 corners in face 0",
-    );
-    check(
-        "a.obj",
-        &obj("f 1 2 3", "f 1"),
-        "fewer than 3 corners in face 0",
-    );
-    check(
-        "a.obj",
-        &obj("f 1 2 3", "f"),
-        "fewer than 3 corners in face 0",
-    );
-    check("a.obj", &obj("v 0 1 0", "v 0 1"), "position parse error");
-    check(
-        "a.obj",
-        &obj("v 0 1 0", "v 0 one 0"),
-        "position parse error",
-    );
-    check(
-        "a.obj",
-        &obj("v 0 1 0", "v 0 nan 0"),
-        "coordinates are not finite",
-    );
-    check(
-        "a.obj",
-        &obj("v 0 1 0", "v 0 1e39 0"),
-        "coordinates are not finite",
-    );
+}
+
+#[test]
+fn what_follows_the_last_element_of_a_ply_file_is_not_passed_over() {
+    for kind in [Ply::Ascii, Ply::Little, Ply::Big] {
+        let mut bytes = TETRAHEDRON.ply(kind);
+        bytes.extend(b"3 0 1 2 0\n");
+        check("a.ply", &bytes, "it goes on after the last of its elements");
+    }
 }

@@ -258,7 +258,8 @@ name = "sample" | name = "sample |  | is not proper TOML
     scene_refused(folder.path(), b"", 1, "name", &["is missing"]);
     let latin1 = b"name = \"a\"\nbackground = 1\nabout = \"caf\xe9\"\n";
     scene_refused(folder.path(), latin1, 3, "", &["not text", "UTF-8"]);
-    scene_refused(folder.path(), b"\xff\xfen\0", 1, "", &["not text"]);
+    scene_refused(folder.path(), b"\xff\xfen\0", 1, "", &["TOML"]);
+    scene_refused(folder.path(), b"\xff\xfen", 1, "", &["not text", "UTF-8"]);
     scene_refused(
         folder.path(),
         b"name = \"a\0b\"\n",

@@ -116,6 +116,7 @@ fn json_is_all_there_is_on_stdout() {
             "rays",
             "rays_per_second",
             "mean",
+            "notes",
             "hidden_lamps",
             "coarse_shapes",
             "non_finite",
@@ -262,7 +263,7 @@ mod unix {
             .find(|l| l.starts_with("interrupted:"))
             .expect("it says so");
         let counts: Vec<f32> = line.split(' ').filter_map(|w| w.parse().ok()).collect();
-        let samples = crate::film::channel(&folder.path().join("p.exr"), "samples");
+        let samples = crate::film::channel(&folder.path().join("p.exr"), "samples.Y");
         let least = samples.iter().copied().fold(f32::INFINITY, f32::min);
         let most = samples.iter().copied().fold(0.0, f32::max);
         assert_eq!(counts, [least, most], "{line}");

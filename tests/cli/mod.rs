@@ -9,6 +9,7 @@ mod doctor;
 mod interrupts;
 mod left_out;
 pub mod meshes;
+mod odd_scenes;
 mod options;
 mod target;
 mod unheard;

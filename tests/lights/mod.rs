@@ -4,6 +4,7 @@ mod choice;
 mod densities;
 mod environment;
 mod rectangle;
+mod skies;
 mod sphere;
 mod tree;
 mod triangle;

@@ -1,0 +1,71 @@
+//! What is odd about a scene, though it can be rendered.
+
+use crate::geometry::Shape;
+use crate::materials::Material;
+use crate::scene::description::Description;
+use crate::scene::field::Field;
+use crate::scene::parts::Parts;
+use crate::scene::solids;
+use crate::scene::spacing::Misplaced;
+
+impl Parts<'_> {
+    /// An image around the scene that is all black is none.
+    pub(super) fn note_black_sky(&mut self, said: &Description, shines: bool) {
+        let image = said.environment.as_ref().and_then(|e| e.image.as_ref());
+        if let (Some(image), false) = (image, shines) {
+            self.note(format!(
+                "{}: every pixel is black, so it gives no light",
+                image.display()
+            ));
+        }
+    }
+
+    /// Of a closed surface the front is outside, if anything is in it or it shines.
+    pub(super) fn note_inside_out(
+        &mut self,
+        field: &Field,
+        material: Option<&Material>,
+        shines: bool,
+        shapes: &[Shape],
+    ) {
+        let has_inside = material.is_some_and(solids::refracts);
+        if (has_inside || shines) && solids::inside_out(shapes) {
+            let what = if has_inside {
+                "what it is made of lies outside"
+            } else {
+                "it shines inwards"
+            };
+            self.note(format!(
+                "{field} is closed and its front faces inwards, so that {what}: turn its faces round"
+            ));
+        }
+    }
+
+    /// Says what is odd about all objects together.
+    pub(super) fn note_solids(&mut self) {
+        let Misplaced { shapes, by } = self.misplaced;
+        if shapes > 0 {
+            self.note(format!(
+                "{shapes} shapes are so large for their distance from the camera that rounding \
+                 moves them by up to {by:.2e}"
+            ));
+        }
+        let pairs = solids::touching(&self.all, &self.objects, &self.spans);
+        if let Some(&[a, b]) = pairs.first() {
+            let [a, b] = [a, b].map(|i| self.fields[i as usize].to_string());
+            let who = if a == b {
+                format!("{a} has two faces")
+            } else {
+                format!("{a} and {b} have faces")
+            };
+            let more = match pairs.len() - 1 {
+                0 => String::new(),
+                n => format!(" (and {n} more pairs)"),
+            };
+            self.note(format!(
+                "{who} in one place, and refract{more}: rays meet one of them only; leave one out and \
+                 give the other the ratio of both indices, or leave a gap"
+            ));
+        }
+    }
+}
