@@ -83,7 +83,9 @@ impl Draw {
     }
 
     fn material(&mut self) -> &'static str {
-        ["white", "grey", "red", "white", "grey", "shiny", "mirror", "glass", "both"][self.up_to(9)]
+        [
+            "white", "grey", "red", "white", "grey", "shiny", "mirror", "glass", "both",
+        ][self.up_to(9)]
     }
 }
 
@@ -118,7 +120,11 @@ fn random_scene(seed: u64) -> (String, bool) {
     );
     let extent = draw.chance(0.7);
     if draw.chance(0.4) {
-        let _ = writeln!(text, "\n[environment]\nradiance = {}", draw.between(0.05, 0.6));
+        let _ = writeln!(
+            text,
+            "\n[environment]\nradiance = {}",
+            draw.between(0.05, 0.6)
+        );
     }
     // A floor, so that something is lit.
     let floor = [
@@ -131,7 +137,11 @@ fn random_scene(seed: u64) -> (String, bool) {
     for _ in 0..1 + draw.up_to(4) {
         let material = format!("material = '{}'", draw.material());
         let shape = match draw.up_to(4) {
-            0 => format!("sphere = {{ center = {:?}, radius = {} }}", draw.place(), 0.6 * draw.size()),
+            0 => format!(
+                "sphere = {{ center = {:?}, radius = {} }}",
+                draw.place(),
+                0.6 * draw.size()
+            ),
             1 => {
                 let place = draw.place();
                 let (b, c) = (plus(place, draw.edge(), 1.0), plus(place, draw.edge(), 1.0));
@@ -162,11 +172,18 @@ fn random_scene(seed: u64) -> (String, bool) {
             let strength = draw.between(0.5, 3.0);
             let _ = if draw.chance(0.6) {
                 let intensity = strength * scale * scale;
-                writeln!(text, "[[lights]]\npoint = {{ position = {:?}, intensity = {intensity} }}", draw.place())
+                writeln!(
+                    text,
+                    "[[lights]]\npoint = {{ position = {:?}, intensity = {intensity} }}",
+                    draw.place()
+                )
             } else {
                 let mut direction = draw.direction();
                 direction[1] = -direction[1].abs() - 0.2;
-                writeln!(text, "[[lights]]\ndirectional = {{ direction = {direction:?}, irradiance = {strength} }}")
+                writeln!(
+                    text,
+                    "[[lights]]\ndirectional = {{ direction = {direction:?}, irradiance = {strength} }}"
+                )
             };
         }
     }
@@ -183,14 +200,22 @@ fn lamp(text: &mut String, draw: &mut Draw) {
         let _ = write!(what, "\nmotion = {:?}", draw.edge());
     }
     let shape = match draw.up_to(5) {
-        0 | 1 => format!("sphere = {{ center = {:?}, radius = {} }}", draw.place(), 0.6 * draw.size()),
+        0 | 1 => format!(
+            "sphere = {{ center = {:?}, radius = {} }}",
+            draw.place(),
+            0.6 * draw.size()
+        ),
         2 => {
             let place = draw.place();
             let (b, c) = (plus(place, draw.edge(), 1.5), plus(place, draw.edge(), 1.5));
             format!("two_sided = true\ntriangle = {{ a = {place:?}, b = {b:?}, c = {c:?} }}")
         }
         _ => {
-            let two_sided = if draw.chance(0.7) { "two_sided = true\n" } else { "" };
+            let two_sided = if draw.chance(0.7) {
+                "two_sided = true\n"
+            } else {
+                ""
+            };
             format!("{two_sided}{}", quad(draw.quad()))
         }
     };
@@ -201,14 +226,26 @@ fn lamp(text: &mut String, draw: &mut Draw) {
 fn touching(text: &mut String, draw: &mut Draw, quads: &[[[f32; 3]; 3]]) {
     let [corner, u, v] = quads[draw.up_to(quads.len())];
     let what = format!("emits = {}", draw.between(0.5, 6.0));
-    let two_sided = if draw.chance(0.5) { "two_sided = true\n" } else { "" };
+    let two_sided = if draw.chance(0.5) {
+        "two_sided = true\n"
+    } else {
+        ""
+    };
     let lamp = match draw.up_to(4) {
         // The very place, from another corner, or turned over.
-        0 => [plus(plus(corner, u, 1.0), v, 1.0), u.map(|x| -x), v.map(|x| -x)],
+        0 => [
+            plus(plus(corner, u, 1.0), v, 1.0),
+            u.map(|x| -x),
+            v.map(|x| -x),
+        ],
         1 => [corner, v, u],
         // A part of it.
         2 => [
-            plus(plus(corner, u, draw.between(0.0, 0.5)), v, draw.between(0.0, 0.5)),
+            plus(
+                plus(corner, u, draw.between(0.0, 0.5)),
+                v,
+                draw.between(0.0, 0.5),
+            ),
             u.map(|x| 0.5 * x),
             v.map(|x| 0.5 * x),
         ],
@@ -224,12 +261,23 @@ fn touching(text: &mut String, draw: &mut Draw, quads: &[[[f32; 3]; 3]]) {
     if draw.chance(0.3) {
         // Two lamps in one place.
         let [corner, u, v] = lamp;
-        object(text, "emits = 2", &quad([plus(corner, v, 1.0), u, v.map(|x| -x)]));
+        object(
+            text,
+            "emits = 2",
+            &quad([plus(corner, v, 1.0), u, v.map(|x| -x)]),
+        );
     }
 }
 
 fn load(text: &str) -> Result<Scene, SceneError> {
-    gallery::from_text(Source { file: "random.toml", text }, None, |_| {})
+    gallery::from_text(
+        Source {
+            file: "random.toml",
+            text,
+        },
+        None,
+        |_| {},
+    )
 }
 
 /// The mean of the pictures of some seeds.
@@ -283,17 +331,20 @@ fn compare(seed: u64, times: u32) -> Compared {
 
 /// Compares the scenes of these seeds, and fails if any difference stands.
 fn all_agree(seeds: std::ops::Range<u64>) {
-    let compared: Vec<Compared> = seeds.into_par_iter().map(|seed| {
-        let first = compare(seed, 1);
-        if first.z.abs() <= SUSPICIOUS {
-            return first;
-        }
-        let again = compare(seed, 16);
-        Compared {
-            says: format!("{}; again {}", first.says, again.says),
-            ..again
-        }
-    }).collect();
+    let compared: Vec<Compared> = seeds
+        .into_par_iter()
+        .map(|seed| {
+            let first = compare(seed, 1);
+            if first.z.abs() <= SUSPICIOUS {
+                return first;
+            }
+            let again = compare(seed, 16);
+            Compared {
+                says: format!("{}; again {}", first.says, again.says),
+                ..again
+            }
+        })
+        .collect();
     let mut smallest: Vec<f64> = compared.iter().filter_map(|c| c.smallest).collect();
     smallest.sort_by(f64::total_cmp);
     let black = compared.len() - smallest.len();

@@ -34,7 +34,12 @@ fn no_albedo_below_one_makes_the_variance_of_a_path_grow_without_bound() {
         ("lambert.albedo = 0.98", 0.98, 512, 20_000),
         ("lambert.albedo = 0.995", 0.995, 2000, 8000),
         ("lambert.albedo = [0.99, 0.98, 0.4]", 0.98, 512, 20_000),
-        ("mixture = { kd = 0.6, ks = 0.38, kt = 0 }", 0.98, 512, 20_000),
+        (
+            "mixture = { kd = 0.6, ks = 0.38, kt = 0 }",
+            0.98,
+            512,
+            20_000,
+        ),
     ] {
         let samples = samples(material, max_depth, count);
         let exact = (1.0 - albedo.powi(max_depth as i32)) / (1.0 - albedo);

@@ -3,13 +3,14 @@
 use super::demand::{Demand, bias_line};
 use super::left_out::LeftOut;
 use super::maps::Maps;
-use super::report::{as_json, report};
+use super::report::{as_json, rarely_asked_line, report};
 use super::stop::{self, Ending};
 use super::{Stop, answer, stem, use_threads};
 use crate::desk::{Bar, on_ctrl_c, tell, whole};
 use crate::effects::measure::Setup;
 use crate::integrators::{
-    Albedo, Depth, Integrator, Named, Normals, Path as PathTracer, Restricted, Whitted,
+    Albedo, Depth, Integrator, Named, Normals, Path as PathTracer, RarelyAsked, Restricted,
+    Whitted, rarely_asked,
 };
 use crate::output::{self, Display, Provenance};
 use crate::render::target::{Outcome, render_to};
@@ -223,8 +224,10 @@ impl Render {
             .as_ref()
             .filter(|_| rendered.is_black())
             .map(|left_out| left_out.why_black(&scene, max_depth));
+        let asked = self.rarely_asked(&scene, rendered, max_depth);
         if !self.quiet {
             let mut text = report(&scene, &outcome, self.sampler(), too_bright);
+            text += &asked.map_or_else(String::new, rarely_asked_line);
             let left_out = left_out.as_ref();
             text += &left_out.map_or_else(String::new, LeftOut::after);
             text += &stop::report(&outcome, &goal, self.sampler(), left_out);
@@ -239,8 +242,11 @@ impl Render {
             }
             text += &format!("wrote {}", path.display());
             if let Ok((maps, missing)) = &maps {
-                maps.iter().for_each(|map| text += &format!("\nwrote {map}"));
-                missing.iter().for_each(|why| text += &format!("\nnote: {why}"));
+                maps.iter()
+                    .for_each(|map| text += &format!("\nwrote {map}"));
+                missing
+                    .iter()
+                    .for_each(|why| text += &format!("\nnote: {why}"));
             }
             tell(text);
         }
@@ -251,6 +257,7 @@ impl Render {
             object["accuracy"] = stop::as_json(&outcome, &goal, self.sampler());
             object["maps"] = json!(written);
             object["black"] = json!(black);
+            object["rarely_asked"] = json!(asked);
             object["lamps_unmet"] = json!(left_out.as_ref().map_or(0, LeftOut::unmet));
             object["left_out"] = json!(left_out.map(|left_out| left_out.as_json(bias.as_ref())));
             printed = answer(&(serde_json::to_string_pretty(&object)? + "\n"));
@@ -280,6 +287,20 @@ impl Render {
             Bar::new(&scene.name, stop)
         };
         render_to(scene, integrator, &options, &self.ending.goal(), &bar)
+    }
+
+    /// Lights that the choice of one at each surface hardly meets in this picture.
+    fn rarely_asked(
+        &self,
+        scene: &Scene,
+        rendered: &Rendered,
+        max_depth: u32,
+    ) -> Option<RarelyAsked> {
+        let samples = rendered.film.pixels().iter().map(|p| p.count()).sum();
+        match self.integrator {
+            Method::Path => rarely_asked(scene, max_depth, samples),
+            _ => None,
+        }
     }
 
     /// Pixels that show more light than there can be.

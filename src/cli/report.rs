@@ -1,5 +1,6 @@
 //! What happened in a render: in words, and for programs.
 
+use crate::integrators::{ENOUGH, RarelyAsked};
 use crate::output::Provenance;
 use crate::render::Faults;
 use crate::render::target::{Outcome, fewest};
@@ -96,6 +97,21 @@ pub(super) fn report(
         ));
     }
     text
+}
+
+/// Lights whose absence the error of the picture could not tell, for people.
+pub(super) fn rarely_asked_line(rare: RarelyAsked) -> String {
+    let RarelyAsked { lights, times, .. } = rare;
+    let which = match lights {
+        1 => format!("one light is asked only about {times:.1} times in the whole picture"),
+        n => format!(
+            "{n} lights are asked fewer than {ENOUGH} times each in the whole picture, the least \
+             about {times:.1} times"
+        ),
+    };
+    format!(
+        "warning: {which}; light may be missing, and the error cannot tell: take more samples\n"
+    )
 }
 
 /// What happened, for machines.

@@ -12,6 +12,8 @@ const GRID: u32 = 24;
 const LONGEST: u32 = 8;
 /// Points of a lamp that are asked for.
 const ASKED: [[f32; 2]; 5] = [[0.5, 0.5], [0.1, 0.1], [0.9, 0.1], [0.1, 0.9], [0.9, 0.9]];
+/// What refines these points, where a light has many parts.
+const MIDDLE: f64 = 0.5;
 
 /// The cosine of light that passes along a surface and does not light it.
 const GRAZING: f32 = 1e-6;
@@ -130,7 +132,7 @@ fn ask(seen: &mut Seen, tracer: &mut Tracer, at: &SolidPoint) {
     };
     for lamp in 0..tracer.scene().lights.len() {
         for u in ASKED {
-            let Some(sample) = tracer.sample_light(lamp, &at.hit.surface, u) else {
+            let Some(sample) = tracer.sample_light(lamp, &at.hit.surface, MIDDLE, u) else {
                 continue;
             };
             if sample.incident.facing_irradiance().is_black() {
@@ -142,7 +144,7 @@ fn ask(seen: &mut Seen, tracer: &mut Tracer, at: &SolidPoint) {
                 continue;
             }
             seen.beside += 1;
-            seen.lit += usize::from(tracer.is_free(&sample.shadow_ray));
+            seen.lit += usize::from(tracer.visible(lamp, &sample));
         }
     }
 }

@@ -15,7 +15,7 @@ const PROBES: u32 = 256;
 const MOST_WORK: u64 = 2_000_000;
 
 /// Lights that a picture hardly asks.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq, serde::Serialize)]
 pub struct RarelyAsked {
     /// How many there are.
     pub lights: usize,
@@ -63,8 +63,13 @@ pub fn rarely_asked(scene: &Scene, max_depth: u32, samples: u64) -> Option<Rarel
     let scale = samples as f64 / f64::from(probes);
     times.iter_mut().for_each(|t| *t *= scale);
     let shines = |i: &usize| scene.lights[*i].shines();
-    let rare: Vec<usize> = (0..lights).filter(shines).filter(|&i| times[i] < ENOUGH).collect();
-    let least = *rare.iter().min_by(|&&a, &&b| times[a].total_cmp(&times[b]))?;
+    let rare: Vec<usize> = (0..lights)
+        .filter(shines)
+        .filter(|&i| times[i] < ENOUGH)
+        .collect();
+    let least = *rare
+        .iter()
+        .min_by(|&&a, &&b| times[a].total_cmp(&times[b]))?;
     Some(RarelyAsked {
         lights: rare.len(),
         least,

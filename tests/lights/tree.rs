@@ -4,7 +4,7 @@ use super::{CRITICAL, scene};
 use glam::Vec3;
 use halfdisk::color::Rgb;
 use halfdisk::geometry::{Sphere, Triangle};
-use halfdisk::integrators::{Combine, Integrator, Path};
+use halfdisk::integrators::{Combine, Integrator, Path, rarely_asked};
 use halfdisk::lights::{
     DirectionalLight, Light, LightBounds, LightChoice, PointLight, SphereLight, TriangleLight,
 };
@@ -199,4 +199,31 @@ fn a_near_lamp_is_asked_however_large_the_scene() {
         assert!(z.abs() < CRITICAL, "{distance}: {path} {all}");
         assert!(CRITICAL * error < 0.01 * all, "too noisy to see 1 %");
     }
+}
+
+#[test]
+fn lights_that_a_small_picture_hardly_asks_are_known() {
+    // A hundred lamps in a row over one floor, and one far away.
+    let row: String = (0..100)
+        .map(|i| {
+            let x = 0.1 * f64::from(i) - 5.0;
+            format!("[[lights]]\npoint = {{ position = [{x}, 1, 3], intensity = 1 }}\n")
+        })
+        .collect();
+    let far = "[[lights]]\npoint = { position = [0, 1e4, 0], intensity = 1 }\n";
+    let scene = pebble(1e3, &(row + far));
+    let few = rarely_asked(&scene, 4, 24 * 24).unwrap();
+    assert_eq!(few.least, 100, "{few:?}");
+    // A tenth of the choices is shared by all alike, at one surface or two of each path.
+    let share = few.times / (24.0 * 24.0);
+    assert!((0.0005..0.002).contains(&share), "{few:?}");
+    let more = rarely_asked(&scene, 4, 24 * 24 * 10).unwrap();
+    assert!((more.times / few.times - 10.0).abs() < 1e-6);
+    assert!(more.lights < few.lights, "{few:?} {more:?}");
+    assert!(rarely_asked(&scene, 4, 1 << 24).is_none());
+    let alone = pebble(
+        1e3,
+        "[[lights]]\npoint = { position = [0, 1, 3], intensity = 1 }\n",
+    );
+    assert!(rarely_asked(&alone, 4, 1).is_none());
 }
