@@ -197,13 +197,14 @@ impl<'a> Session<'a> {
             let one = |tile: &Tile| {
                 let mut tile = tile.clone();
                 let whole = tile.sample(scene, integrator, options, pass.clone(), &stop);
-                whole.then_some(tile)
+                (tile, whole)
             };
-            let next: Option<Vec<Tile>> = self.tiles.par_iter().map(one).collect();
-            self.interrupted = progress.stop();
+            let next: Vec<(Tile, bool)> = self.tiles.par_iter().map(one).collect();
             late = clock.late();
-            if let Some(tiles) = next.filter(|_| !late) {
-                self.tiles = tiles;
+            if !late {
+                // Who stops a render keeps what there is.
+                self.interrupted = !next.iter().all(|&(_, whole)| whole);
+                self.tiles = next.into_iter().map(|(tile, _)| tile).collect();
                 self.spp = pass.end;
             }
             clock.tell();
