@@ -227,7 +227,7 @@ mod tests {
         let star = |n: usize, inner: f64| {
             let point = |i: usize| {
                 let (sin, cos) = libm::sincos(TAU * i as f64 / n as f64);
-                DVec2::new(cos, sin) * if i % 2 == 0 { 1.0 } else { inner }
+                DVec2::new(cos, sin) * if i.is_multiple_of(2) { 1.0 } else { inner }
             };
             (0..n).map(point).collect::<Vec<DVec2>>()
         };

@@ -93,29 +93,25 @@ fn decode(file: &str, bytes: Vec<u8>) -> Result<String, SceneError> {
     let unit: fn([u8; 2]) -> u16 = match bytes.as_slice() {
         [0xff, 0xfe, ..] => u16::from_le_bytes,
         [0xfe, 0xff, ..] => u16::from_be_bytes,
+        [0, _, ..] | [_, 0, ..] => {
+            let what = "it looks like UTF-16 without a byte order mark; save it as UTF-8";
+            return Err(SceneError::not_text(file, &[], what));
+        }
         _ => {
-            let text = String::from_utf8(bytes).map_err(|e| {
+            return String::from_utf8(bytes).map_err(|e| {
                 let proper = &e.as_bytes()[..e.utf8_error().valid_up_to()];
                 SceneError::not_text(file, proper, "a scene file must be UTF-8")
-            })?;
-            return match text.find('\0') {
-                None => Ok(text),
-                Some(at) => {
-                    let what = "it has a character 0, as UTF-16 without a byte order mark has; save it as UTF-8";
-                    Err(SceneError::not_text(file, &text.as_bytes()[..at], what))
-                }
-            };
+            });
         }
     };
     let (pairs, odd) = bytes.as_chunks::<2>();
     let units: Vec<u16> = pairs[1..].iter().map(|pair| unit(*pair)).collect();
     match String::from_utf16(&units) {
         Ok(text) if odd.is_empty() => Ok(text),
-        _ => Err(SceneError::not_text(
-            file,
-            &[],
-            "it begins like UTF-16, but is not; save it as UTF-8",
-        )),
+        _ => {
+            let what = "it begins like UTF-16, but is not; save it as UTF-8";
+            Err(SceneError::not_text(file, &[], what))
+        }
     }
 }
 

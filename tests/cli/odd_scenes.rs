@@ -258,7 +258,7 @@ fn scene_files_in_utf_16_are_read_as_what_they_say() {
         .flat_map(u16::to_le_bytes)
         .collect();
     for (bytes, words) in [
-        (ascii, "bad.toml:1: is not text: it has a character 0"),
+        (ascii, "bad.toml:1: is not text: it looks like UTF-16"),
         (
             b"\xff\xfea\0b".to_vec(),
             "bad.toml:1: is not text: it begins like UTF-16",

@@ -134,7 +134,11 @@ fn strips(at: usize, corners: &[i64], polygons: &mut Polygons) -> Result<(), Str
         for (i, [a, b, c]) in corners.enumerate() {
             // A corner said twice turns a strip round; the triangle is not meant to be seen.
             if a != b && b != c && c != a {
-                polygons.push(if i % 2 == 0 { [a, b, c] } else { [b, a, c] });
+                polygons.push(if i.is_multiple_of(2) {
+                    [a, b, c]
+                } else {
+                    [b, a, c]
+                });
             }
         }
     }

@@ -214,6 +214,27 @@ fn lists_of_whole_numbers_of_every_type_are_corners() {
         said.polygons.iter().next(),
         Some(&[200, 33_000, 39_999][..])
     );
+    for (item, size, corners) in [
+        ("uchar", 1, [200, 128, 255]),
+        ("ushort", 2, [200, 33_000, 39_999]),
+        ("uint", 4, [200, 33_000, 39_999]),
+    ] {
+        for order in ["binary_big_endian", "binary_little_endian"] {
+            let list = format!("uchar {item}");
+            let text = header(order, "float", &list).replace("vertex 3", "vertex 40000");
+            let mut bytes = text.into_bytes();
+            bytes.extend([0; 40_000 * 12]);
+            bytes.push(3);
+            let big = order == "binary_big_endian";
+            bytes.extend(corners.map(|i| word(i, size, big)).concat());
+            let said = ply::read(&bytes).expect("a mesh");
+            assert_eq!(
+                said.polygons.iter().next(),
+                Some(&corners[..]),
+                "{order} {item}"
+            );
+        }
+    }
 }
 
 #[test]
