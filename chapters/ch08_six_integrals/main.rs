@@ -32,8 +32,7 @@ fn main() -> ExitCode {
 }
 
 fn work(desk: &mut Desk) -> Result<Ledger, DeskError> {
-    let seed = desk.options.seed;
-    let mut drawn = 0;
+    let (seed, mut drawn) = (desk.options.seed, 0);
 
     // Each integral in a row of pixels of its own, against its closed form.
     let mut rows = Vec::new();
@@ -92,9 +91,8 @@ fn work(desk: &mut Desk) -> Result<Ledger, DeskError> {
     cost(desk, "none", &none);
     let variance = cost(desk, "all", &all);
     desk.value("variance_sum", "variances one by one, added up", sum);
-    drawn += none.rays.total() + once.rays.total() + all.rays.total();
-    drawn += figures::first_hits(desk)?;
-    drawn += figures::occlusion(desk)?;
+    let pictures = none.rays.total() + once.rays.total() + all.rays.total();
+    drawn += pictures + figures::first_hits(desk)? + figures::occlusion(desk)?;
 
     let per_sample = all.rays.total() as f64 / all.rays.camera.max(1) as f64;
     Ok(Ledger {

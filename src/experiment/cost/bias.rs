@@ -233,7 +233,9 @@ mod tests {
         let known = bias(1, 8, 64, 64, 0.55);
         let floor = known.levels_out();
         assert!(known.is_certain() && floor.is_known(), "{floor:?}");
-        assert!(floor.low < 0.1 && 0.1 < floor.high, "{floor:?}");
+        // The interval misses in one of twenty; so far off is one estimate in 26 000.
+        let half = 0.5 * (floor.high - floor.low);
+        assert!((floor.error - 0.1).abs() < 2.15 * half, "{floor:?}");
         assert!(floor.to_string().starts_with("at "), "{floor}");
     }
 
