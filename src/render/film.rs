@@ -187,6 +187,7 @@ impl Film {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::sampling::stream::even_run;
 
     /// A sample's value: anything that scatters.
     fn value(sample: u32) -> Rgb {
@@ -199,7 +200,8 @@ mod tests {
         let mut pixel = Pixel::default();
         for (end, runs) in [(16, 1), (32, 2), (64, 2), (128, 2), (192, 3), (256, 4)] {
             (pixel.count() as u32..end).for_each(|i| pixel.add(value(i)));
-            pixel.end_run(end.is_power_of_two());
+            let run = even_run(end - 1);
+            pixel.end_run(run.end == 2 * run.start);
             for i in 0..3 {
                 assert_eq!(pixel.runs[i].count(), runs, "{end}");
                 let off = pixel.runs[i].mean() - pixel.channels[i].mean();
