@@ -1,10 +1,11 @@
 //! What becomes of samples: in the film, and in each kind of file.
 
-use halfdisk::color::Rgb;
+use halfdisk::color::{Rgb, srgb_decode};
 use halfdisk::geometry::Ray;
 use halfdisk::integrators::{Albedo, Depth, Integrator, Normals, Whitted};
 use halfdisk::output::{self, Display, Provenance};
-use halfdisk::render::{BadSample, Film, Options, Pixel, render};
+use halfdisk::render::accuracy::quantile;
+use halfdisk::render::{BadSample, Film, Options, Picture, Pixel, compare, render};
 use halfdisk::sampling::stream::{Purpose, Sampler, Stream};
 use halfdisk::scene::gallery::{self, GALLERY, load_with};
 use halfdisk::scene::read::Source;
@@ -239,6 +240,40 @@ fn png_shows_the_film_and_says_what_made_it() {
     }
 }
 
+#[test]
+fn png_levels_are_equally_wide() {
+    // Of 256 000 even values a thousand have each level, and of linear ones those between the decoded
+    // ends of a level.
+    let ramp = |i: u32| (f64::from(i) + 0.5) / 256_000.0;
+    let counts = |display: Display| {
+        let pixel = |i| {
+            let mut pixel = Pixel::default();
+            pixel.add(Rgb::grey(ramp(i) as f32));
+            pixel
+        };
+        let film = Film::new(512, (0..256_000).map(pixel).collect());
+        let facts = Provenance::new(&small("lamp"), "whitted", 4, 1, 0);
+        let bytes = output::png_bytes(&film, display, &facts).unwrap();
+        let image = image::load_from_memory(&bytes).unwrap().to_rgb8();
+        let mut counts = [0_u32; 256];
+        for pixel in image.pixels() {
+            assert_eq!(pixel.0, [pixel.0[0]; 3]);
+            counts[usize::from(pixel.0[0])] += 1;
+        }
+        counts
+    };
+    assert_eq!(counts(Display::Data { white: 1.0 }), [1000; 256]);
+    let linear = counts(Display::Radiance);
+    for (level, count) in linear.into_iter().enumerate() {
+        let end = |k: usize| 256_000.0 * srgb_decode(k as f64 / 256.0);
+        let expected = end(level + 1) - end(level);
+        assert!(
+            (f64::from(count) - expected).abs() <= 1.5,
+            "{level}: {count} for {expected}"
+        );
+    }
+}
+
 /// A channel of an EXR file.
 pub fn channel(path: &Path, name: &str) -> Vec<f32> {
     let image = exr::prelude::read_first_flat_layer_from_file(path).expect("an EXR file");
@@ -314,4 +349,39 @@ fn hdr_holds_the_film_to_one_percent() {
             );
         }
     }
+}
+
+#[test]
+fn z_scores_count_the_errors_of_both_pictures() {
+    let picture = |value: f64, error: f64| Picture {
+        size: [2, 2],
+        values: vec![[value; 3]; 4],
+        errors: Some(vec![[error; 3]; 4]),
+    };
+    // Errors of 3 and 4 make one of 5; the four pixels' mean has half of it.
+    for (a, b) in [(3.0, 4.0), (4.0, 3.0)] {
+        let z = compare::z_scores(&picture(12.0, a), &picture(2.0, b)).unwrap();
+        assert!((z.largest - 2.0).abs() < 1e-12 && (z.squares.mean() - 4.0).abs() < 1e-12);
+        assert!((z.of_means - 4.0).abs() < 1e-12, "{z:?}");
+        assert_eq!(z.rejected, 0.0);
+    }
+    let far = compare::z_scores(&picture(42.0, 3.0), &picture(2.0, 4.0)).unwrap();
+    assert_eq!(far.rejected, 1.0);
+}
+
+#[test]
+fn a_quantile_is_the_smallest_value_that_so_many_do_not_exceed() {
+    let ten: Vec<f64> = (1..=10).rev().map(f64::from).collect();
+    for (share, value) in [
+        (0.01, 1.0),
+        (0.1, 1.0),
+        (0.11, 2.0),
+        (0.5, 5.0),
+        (0.51, 6.0),
+        (0.95, 10.0),
+        (1.0, 10.0),
+    ] {
+        assert_eq!(quantile(ten.clone(), share), value, "{share}");
+    }
+    assert_eq!(quantile(vec![3.0, 1.0, 2.0], 0.34), 2.0);
 }

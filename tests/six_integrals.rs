@@ -1,11 +1,12 @@
 //! The integrals of a picture one at a time: each profile against its closed form, and against wrong
 //! lenses, shutters, lamps, edges, walls and facets.
 
+use crate::checks::{alike, unlike};
 use halfdisk::estimators::furnace::irradiance;
 use halfdisk::estimators::profiles::{Profile, Reading, lobe_energy};
 use halfdisk::estimators::worlds::ball;
 use halfdisk::integrators::{Distributed, Integral, Integrator, Kajiya, NextEvent};
-use halfdisk::render::{Film, Options, Rendered, render};
+use halfdisk::render::{Options, Rendered, render};
 use halfdisk::sampling::stream::Purpose;
 use halfdisk::scene::description::Description;
 use halfdisk::scene::gallery;
@@ -177,19 +178,14 @@ fn what_is_left_out_draws_nothing() {
 
 #[test]
 fn all_six_together_are_what_the_walks_see() {
-    let apart = |a: &Film, b: &Film| {
-        let ((a, a_error), (b, b_error)) = (a.mean(), b.mean());
-        let z = (a - b) / a_error.hypot(b_error);
-        println!("{a:.5} ± {a_error:.5} and {b:.5} ± {b_error:.5}, z = {z:.2}");
-        z.abs()
-    };
     let max_depth = 4;
     let all = six(&Distributed { max_depth }, &[], 512, 1).film;
     let asking = six(&NextEvent { max_depth }, &[], 512, 2).film;
-    let walk = six(&Kajiya { max_depth }, &[], 4096, 3).film;
-    assert!(apart(&all, &asking) <= 4.4 && apart(&all, &walk) <= 4.4);
+    let walk = six(&Kajiya { max_depth }, &[], 6144, 3).film;
+    alike("next-event", all.mean(), asking.mean(), 0.01);
+    alike("kajiya", all.mean(), walk.mean(), 0.013);
     let shorter = six(&Distributed { max_depth: 3 }, &[], 512, 1).film;
-    assert!(apart(&shorter, &walk) > 4.4);
+    unlike("shorter paths", shorter.mean(), walk.mean());
     let sharp = six(&Distributed { max_depth }, Integral::NONE, 1, 1).film;
     assert!((sharp.mean().0 - walk.mean().0).abs() > 0.005);
 }

@@ -183,3 +183,44 @@ impl Film {
         means.fold(0.0, f64::max)
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::sampling::stream::even_run;
+
+    /// A sample's value: anything that scatters.
+    fn value(sample: u32) -> Rgb {
+        let x = sample.wrapping_mul(0x9e37_79b9) >> 8;
+        Rgb::grey(x as f32 / 16_777_216.0)
+    }
+
+    #[test]
+    fn runs_are_of_one_length_and_have_the_mean_of_all_their_samples() {
+        let mut pixel = Pixel::default();
+        for (end, runs) in [(16, 1), (32, 2), (64, 2), (128, 2), (192, 3), (256, 4)] {
+            (pixel.count() as u32..end).for_each(|i| pixel.add(value(i)));
+            let run = even_run(end - 1);
+            pixel.end_run(run.end == 2 * run.start);
+            for i in 0..3 {
+                assert_eq!(pixel.runs[i].count(), runs, "{end}");
+                let off = pixel.runs[i].mean() - pixel.channels[i].mean();
+                assert!(off.abs() < 1e-15, "{end}: {off:e}");
+            }
+            assert_eq!(pixel.in_runs, u64::from(end));
+        }
+    }
+
+    #[test]
+    fn samples_after_the_last_run_count_as_if_they_were_as_good() {
+        let mut pixel = Pixel::default();
+        for end in [64, 128] {
+            (pixel.count() as u32..end).for_each(|i| pixel.add(value(i)));
+            pixel.end_run(true);
+        }
+        let [whole, ..] = pixel.std_errors();
+        (128..288).for_each(|i| pixel.add(value(i)));
+        let [more, ..] = pixel.std_errors();
+        assert!((more / whole - (128.0 / 288.0_f64).sqrt()).abs() < 1e-12);
+    }
+}

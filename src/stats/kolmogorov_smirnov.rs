@@ -76,6 +76,26 @@ mod tests {
     }
 
     #[test]
+    fn the_law_of_few_samples_is_the_tables() {
+        // Miller, Table of Percentage Points of Kolmogorov Statistics (JASA 51, 1956): distances that
+        // one in twenty, and one in a hundred, exceeds.
+        for (n, distance, p) in [
+            (5, 0.563_3, 0.05),
+            (10, 0.409_2, 0.05),
+            (20, 0.294_1, 0.05),
+            (10, 0.488_9, 0.01),
+            (20, 0.352_4, 0.01),
+        ] {
+            // Even samples, all too high by as much.
+            let sample = |i| f64::from(i) / f64::from(n) + distance;
+            let mut samples: Vec<f64> = (0..n).map(sample).collect();
+            let found = kolmogorov_smirnov(&mut samples, |x| x.min(1.0));
+            assert!((found.distance - distance).abs() < 1e-12, "{found:?}");
+            assert!((found.p - p).abs() < 0.05 * p, "{n}: {found:?} for {p}");
+        }
+    }
+
+    #[test]
     fn right_samples_are_rejected_as_often_as_the_level_says() {
         let mut rejected = 0;
         for run in 0..2000 {

@@ -208,6 +208,20 @@ mod tests {
     }
 
     #[test]
+    fn half_intervals_are_the_tables_of_students_law() {
+        for (freedom, table) in [
+            (1, 12.706),
+            (2, 4.303),
+            (9, 2.262),
+            (31, 2.040),
+            (1000, 1.962),
+        ] {
+            let found = student_95(freedom);
+            assert!((found - table).abs() < 6e-4, "{freedom}: {found}");
+        }
+    }
+
+    #[test]
     fn what_does_not_suffice_says_why() {
         let sizes = [1.0, 2.0, 4.0];
         assert_eq!(fit(&sizes, &[vec![1.0; 3]]), Err(Insufficient::Replicates));

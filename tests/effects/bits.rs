@@ -2,7 +2,9 @@
 
 use super::{FLOOR, LAMP, POINT, ball, effects, path, scene, small, with};
 use halfdisk::effects::plan::plan;
-use halfdisk::integrators::{Kajiya, NextEvent, Whitted};
+use halfdisk::effects::without::Without;
+use halfdisk::integrators::{Kajiya, NextEvent, Path, Restricted, Whitted};
+use halfdisk::notation::Expression;
 use halfdisk::output::{Display, Provenance, png_bytes};
 use halfdisk::render::Film;
 use halfdisk::scene::description::Description;
@@ -123,6 +125,114 @@ fn an_effect_without_strength_is_an_effect_that_is_absent() {
     }
 }
 
+/// A floor and a ball of one material under a lamp and a sky.
+fn of_one_material(material: &str) -> Scene {
+    let text = format!(
+        "name = 'test'\nfilm.size = [24, 18]\nbackground = 0.25\nmaterials.it.{material}\n\
+         [camera]\nfrom = [0, 1, 5]\nto = [0, 0.5, 0]\nfov = 45\n{}{LAMP}{}",
+        FLOOR.replace("half", "it"),
+        ball("it", "")
+    );
+    let source = Source {
+        file: "t.toml",
+        text: &text,
+    };
+    gallery::from_text(source, None, |_| {}).unwrap()
+}
+
+#[test]
+fn each_material_alone_has_a_kernel_that_knows_it() {
+    let black = path(&of_one_material("lambert.albedo = 0"));
+    for material in [
+        "lambert.albedo = 0.5",
+        "mirror.reflectance = 0.9",
+        "glass.ior = 1.5",
+        "glossy = { reflectance = 0.8, roughness = 0.2 }",
+        "rough_glass = { ior = 1.5, roughness = 0.2 }",
+        "mixture = { kd = 0.5, ks = 0, kt = 0 }",
+        "mixture = { kd = 0, ks = 0.5, kt = 0 }",
+        "mixture = { kd = 0.2, ks = 0.3, kt = 0.4, ior = 1.5 }",
+    ] {
+        let scene = of_one_material(material);
+        same_picture(&scene, &scene.clone().with_all_effects(), material);
+        // A kernel that does not know it would paint it black.
+        assert_ne!(path(&scene).film, black.film, "{material}");
+    }
+}
+
+/// The share of a picture's light on paths of an expression.
+fn share(scene: &Scene, paths: &str) -> f64 {
+    let expression = Expression::parse(paths).unwrap();
+    let paths = expression.eye_first();
+    let path = Path::new(scene.suggested.max_depth);
+    let part = with(scene, &Restricted { path, paths }).film.mean().0;
+    part / with(scene, &path).film.mean().0
+}
+
+#[test]
+fn a_closed_surface_that_shines_lights_itself() {
+    let glow = |shape: &str| {
+        scene(
+            "",
+            &format!("[[objects]]\nmaterial = 'half'\nemits = 1\n{shape}\n"),
+        )
+    };
+    let bleeds = |scene: &Scene| effects(scene).contains(&Effect::Bleeding);
+    let room = glow("sphere = { center = [0, 1, 5], radius = 3, inward = true }");
+    assert!(bleeds(&room) && share(&room, "LD.*D.*E") > 0.1);
+    let bumpy = "bumpy_sphere = { center = [0, 0.5, 0], radius = 1, columns = 8, rows = 6 }";
+    for shape in ["box = { min = [-1, 0, -1], max = [1, 1, 1] }", bumpy] {
+        assert!(bleeds(&glow(shape)), "{shape}");
+    }
+    // One flat surface does not, whether it shines or is shone at.
+    let flat = "quad = { corner = [-1, 0, 0], u = [2, 0, 0], v = [0, 2, 0] }";
+    let flat = glow(flat);
+    assert!(!bleeds(&flat) && share(&flat, "L.*D.*E") == 0.0);
+    let planned = |scene: &Scene| {
+        let line = plan(scene).lines.into_iter();
+        let mut of_bleeding = line.filter(|line| line.effect == Effect::Bleeding);
+        of_bleeding.next().unwrap()
+    };
+    assert!(planned(&room).simulated && !planned(&flat).simulated);
+    assert_ne!(planned(&room).reason, planned(&flat).reason);
+}
+
+#[test]
+fn every_light_that_can_be_met_makes_caustics() {
+    let glass = FLOOR.to_owned() + &ball("clear", "");
+    let folder = crate::cli::folder();
+    let sky = image::RgbImage::from_pixel(8, 4, image::Rgb([128; 3]));
+    sky.save(folder.path().join("sky.png")).unwrap();
+    let under = |sky: &str| {
+        let text = format!(
+            "name = 'test'\nfilm.size = [24, 18]\n{sky}\nmaterials.half.lambert.albedo = 0.5\n\
+             materials.clear.glass.ior = 1.5\n\
+             [camera]\nfrom = [0, 1, 5]\nto = [0, 0.5, 0]\nfov = 45\n{glass}"
+        );
+        let source = Source {
+            file: "t.toml",
+            text: &text,
+        };
+        gallery::from_text(source, Some(folder.path()), |_| {}).unwrap()
+    };
+    for sky in [
+        "background = 1",
+        "environment.radiance = [0, 0, 1]",
+        "environment.image = 'sky.png'",
+    ] {
+        let scene = under(sky);
+        assert!(effects(&scene).contains(&Effect::Caustics), "{sky}");
+        assert!(share(&scene, "LS+D.*E") > 1e-3, "{sky}");
+        let line = plan(&scene).lines.into_iter();
+        let caustics = line
+            .filter(|line| line.effect == Effect::Caustics)
+            .collect::<Vec<_>>();
+        assert!(caustics[0].simulated, "{sky}: {}", caustics[0].reason);
+    }
+    // Without any light there is nothing to focus, and a point's light is not met.
+    assert!(!effects(&under("background = 0")).contains(&Effect::Caustics));
+}
+
 #[test]
 fn a_glossy_object_that_is_gone_leaves_no_trace() {
     let room = FLOOR.to_owned() + LAMP;
@@ -208,4 +318,49 @@ fn in_the_dark_no_ray_is_traced() {
             .iter()
             .all(|l| !l.simulated && l.reason.contains("nothing shines"))
     );
+}
+
+#[test]
+fn each_part_of_a_mixture_is_counted_alone() {
+    use Effect::*;
+    for (parts, called_for) in [
+        ("kd = 0.5, ks = 0, kt = 0", [true, false]),
+        ("kd = 0, ks = 0.5, kt = 0", [false, true]),
+        ("kd = 0, ks = 0, kt = 0.5", [false, true]),
+        ("kd = 0.2, ks = 0, kt = 0.5", [true, true]),
+    ] {
+        let scene = of_one_material(&format!("mixture = {{ {parts} }}"));
+        let found = effects(&scene);
+        let has = [Diffuse, Specular].map(|effect| found.contains(&effect));
+        assert_eq!(has, called_for, "{parts}: {found:?}");
+    }
+}
+
+#[test]
+fn without_the_sky_every_kind_of_it_is_gone() {
+    let folder = crate::cli::folder();
+    let image = image::RgbImage::from_pixel(8, 4, image::Rgb([128; 3]));
+    image.save(folder.path().join("sky.png")).unwrap();
+    let without = Without::from_iter([Effect::Sky]);
+    for sky in [
+        "background = 1",
+        "environment.radiance = 1",
+        "environment.image = 'sky.png'",
+    ] {
+        let text = format!(
+            "name = 'test'\nfilm.size = [8, 6]\n{sky}\nmaterials.half.lambert.albedo = 0.5\n\
+             [camera]\nfrom = [0, 1, 5]\nto = [0, 0.5, 0]\nfov = 45\n{FLOOR}"
+        );
+        let load = |change: &dyn Fn(&mut Description)| {
+            let source = Source {
+                file: "t.toml",
+                text: &text,
+            };
+            gallery::from_text(source, Some(folder.path()), |said| change(said)).unwrap()
+        };
+        let (lit, dark) = (load(&|_| {}), load(&|said| without.change(said)));
+        assert!(effects(&lit).contains(&Effect::Sky), "{sky}");
+        assert_eq!(effects(&dark), [], "{sky}");
+        assert!(path(&lit).film.max() > 0.0 && path(&dark).film.max() == 0.0);
+    }
 }

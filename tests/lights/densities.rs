@@ -1,12 +1,14 @@
 //! `pdf` is the density that `sample` has.
 
+use super::environment::{image, light};
 use super::{GROUND, scene};
-use glam::Vec3;
+use glam::{DVec3, Vec3};
 use halfdisk::geometry::{Ray, Surface};
 use halfdisk::integrators::{Integrator, Kajiya};
 use halfdisk::lights::Incident;
 use halfdisk::sampling::stream::{Purpose, Stream};
 use halfdisk::scene::{Scene, Tracer};
+use std::f64::consts::{PI, TAU};
 
 /// The largest relative difference between the density of a sample and that of its direction, over
 /// samples of the only light of a scene whose point a ray along them meets first.
@@ -101,4 +103,37 @@ fn where_nothing_is_drawn_there_is_none() {
     let walk = Kajiya { max_depth: 3 };
     let li = walk.li(&mut Tracer::new(&lamps), &ray, &Stream::new(0, 0, 0));
     assert!(li.is_black());
+}
+
+#[test]
+fn that_of_an_image_is_the_share_of_the_luminance_in_every_pixel() {
+    for [width, height] in [[1, 2], [8, 4], [40, 20], [16, 64]] {
+        let pixels = image(width, height, |row, column| {
+            ((row * 7 + column * 3) % 5 + row) as f32
+        });
+        let environment = light(width, pixels, 0.3);
+        let edge = |row: usize| libm::cos(PI * row as f64 / height as f64);
+        let mut luminances = Vec::new();
+        let mut whole = 0.0;
+        for row in 0..height {
+            for column in 0..width {
+                // The middle of the pixel.
+                let theta = PI * (row as f64 + 0.5) / height as f64;
+                let phi = TAU * ((column as f64 + 0.5) / width as f64 - 0.5) - 0.3;
+                let (sin, cos) = libm::sincos(theta);
+                let (sin_phi, cos_phi) = libm::sincos(phi);
+                let w = DVec3::new(sin * sin_phi, cos, -sin * cos_phi).as_vec3();
+                let l = f64::from(environment.radiance(w).g);
+                whole += l * TAU / width as f64 * (edge(row) - edge(row + 1));
+                luminances.push((w, l));
+            }
+        }
+        for (w, l) in luminances {
+            let (pdf, exact) = (f64::from(environment.pdf(w)), l / whole);
+            assert!(
+                (pdf - exact).abs() <= 1e-5 * exact,
+                "{width} x {height}, {w}: {pdf} for {exact}"
+            );
+        }
+    }
 }
