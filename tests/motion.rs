@@ -186,7 +186,7 @@ fn the_density_of_a_moving_lamp_is_that_of_its_samples_at_each_moment() {
                 n: Vec3::Y,
             };
             let index = i as usize % scene.lights.len();
-            let Some(sample) = tracer.sample_light(index, &from, numbers.two()) else {
+            let Some(sample) = tracer.sample_light(index, &from, 0.5, numbers.two()) else {
                 continue;
             };
             let Incident::Radiance { pdf, .. } = sample.incident else {
