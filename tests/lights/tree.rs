@@ -6,7 +6,8 @@ use halfdisk::color::Rgb;
 use halfdisk::geometry::{Sphere, Triangle};
 use halfdisk::integrators::{Combine, Integrator, Path, rarely_asked};
 use halfdisk::lights::{
-    DirectionalLight, Light, LightBounds, LightChoice, PointLight, SphereLight, TriangleLight,
+    DirectionalLight, EnvironmentLight, Light, LightBounds, LightChoice, MeshLight, PointLight,
+    SphereLight, TriangleLight,
 };
 use halfdisk::render::{Options, render};
 use halfdisk::sampling::discrete::Discrete;
@@ -226,4 +227,32 @@ fn lights_that_a_small_picture_hardly_asks_are_known() {
         "[[lights]]\npoint = { position = [0, 1, 3], intensity = 1 }\n",
     );
     assert!(rarely_asked(&alone, 4, 1).is_none());
+}
+
+#[test]
+fn no_triangle_and_no_pixel_is_too_faint_to_be_drawn() {
+    let tiny = |size: f32| Triangle {
+        a: Vec3::Y,
+        b: Vec3::Y + Vec3::X * size,
+        c: Vec3::Y - Vec3::Z * size,
+    };
+    let down = |t: Triangle| Triangle {
+        b: t.c,
+        c: t.b,
+        ..t
+    };
+    let mesh = MeshLight::new(vec![down(tiny(1.0)), down(tiny(1e-5))], Rgb::WHITE).unwrap();
+    let last = 1.0 - f32::EPSILON / 2.0;
+    let part = |pick| mesh.sample(&super::GROUND, pick, [last, 0.3]).unwrap().part;
+    assert_eq!((part(0.0), part(1.0 - 1e-6)), (0, 1));
+    // A faint pixel beside one that is a billion times as bright.
+    let mut pixels = vec![Rgb::BLACK; 8];
+    (pixels[1], pixels[2]) = (Rgb::grey(1e9), Rgb::WHITE);
+    let sky = EnvironmentLight::new(4, pixels, 0.0).unwrap();
+    let drawn = |pick| {
+        let sample = sky.sample(&super::GROUND, pick, [0.5, last]).unwrap();
+        sky.radiance(sample.wi)
+    };
+    assert_eq!(drawn(0.0), Rgb::grey(1e9));
+    assert_eq!(drawn(1.0 - f64::EPSILON), Rgb::WHITE);
 }
