@@ -358,7 +358,7 @@ fn moving_lamps_of_each_kind_by_all_integrators() {
         // By chance, straight from the lamp: the others agree with it and among themselves, and then
         // among themselves on longer paths.
         let chance = of(&radiance(&Kajiya { max_depth: 2 }, &scene, &ray, 1_000_000));
-        for (max_depth, share) in [(2, 0.08), (4, 0.03)] {
+        for (max_depth, share) in [(2, 0.06), (4, 0.05)] {
             let asks = NextEvent { max_depth };
             let asking = of(&seeded(3, &asks, &scene, &ray, 400_000));
             let both = of(&seeded(4, &combine(max_depth), &scene, &ray, 400_000));

@@ -348,18 +348,8 @@ fn garbage_stays_small() {
     assert!(long.iter().all(|w| w.0.len() == 66) && long.is_sorted());
 }
 
-/// The same cases in every run, and no file where one fails.
-fn config(cases: u32) -> ProptestConfig {
-    ProptestConfig {
-        cases,
-        rng_seed: RngSeed::Fixed(3),
-        failure_persistence: None,
-        ..ProptestConfig::default()
-    }
-}
-
 proptest! {
-    #![proptest_config(config(12))]
+    #![proptest_config(ProptestConfig { cases: 12, rng_seed: RngSeed::Fixed(3), failure_persistence: None, ..ProptestConfig::default() })]
 
     #[test]
     fn languages_agree_with_the_definition(a in trees(), b in trees()) {
@@ -391,7 +381,7 @@ proptest! {
 }
 
 proptest! {
-    #![proptest_config(config(2000))]
+    #![proptest_config(ProptestConfig { cases: 2000, rng_seed: RngSeed::Fixed(3), failure_persistence: None, ..ProptestConfig::default() })]
 
     #[test]
     fn any_text_is_read_or_refused_in_one_line(
