@@ -18,6 +18,16 @@ pub struct Surface {
 }
 
 impl Surface {
+    /// The same point with its normal on the side from which `direction` leaves.
+    #[must_use]
+    pub fn facing(self, direction: Vec3) -> Surface {
+        if self.n.dot(direction) < 0.0 {
+            Surface { n: -self.n, ..self }
+        } else {
+            self
+        }
+    }
+
     /// A ray that leaves the surface in `direction`.
     pub fn spawn(&self, direction: Vec3) -> Ray {
         Ray::new(

@@ -37,7 +37,8 @@ pub struct Path {
     pub roulette_from: u32,
 }
 
-/// The surface that drew a ray, and the density with which it did.
+/// The surface that drew a ray, its normal on the side it was seen from, and the density with which it
+/// did.
 type Drawn = Option<(Surface, f32)>;
 
 /// Even a path that carries next to nothing lives on with this probability: what it may still find
@@ -91,10 +92,11 @@ impl Path {
             // The light of one lamp that is scattered once, here.
             let place = u64::from(depth);
             let at = SolidPoint::new(here, ray.direction);
+            let seen = here.surface.facing(-ray.direction);
             let onward = Onward::new(tracer.scene(), &at, Among::<KINDS>(material));
             if let Some(last) = onward.smooth.filter(|&last| follow.wants(last)) {
                 let numbers = stream.at(place, Purpose::LightPoint);
-                follow.aimed(last, beta * aim(tracer, &onward, numbers));
+                follow.aimed(last, beta * aim(tracer, &onward, &seen, numbers));
             }
 
             // Choose where to look next.
@@ -120,7 +122,7 @@ impl Path {
                 beta = beta / q;
                 kept = kept / q;
             }
-            drawn = step.pdf.map(|pdf| (here.surface, pdf));
+            drawn = step.pdf.map(|pdf| (seen, pdf));
             ray = here.surface.spawn(step.direction);
             hit = tracer.secondary_ray(&ray);
         }
@@ -194,11 +196,11 @@ fn arriving<const MOVES: bool>(
 fn aim<const KINDS: u8, const MOVES: bool>(
     tracer: &mut Tracer<MOVES>,
     onward: &Onward<KINDS>,
+    from: &Surface,
     mut numbers: Numbers,
 ) -> Rgb {
     let scene = tracer.scene();
     let at = onward.at;
-    let from = &at.hit.surface;
     let (u, pick) = (numbers.two(), numbers.fine());
     let Some(chosen) = scene.light_choice.choose(from.p, pick) else {
         return Rgb::BLACK;

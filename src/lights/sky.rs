@@ -16,16 +16,13 @@ pub struct SkyLight {
 }
 
 impl SkyLight {
-    /// Draws a direction, on either side of the surface as often: on each by the cosine to its
-    /// normal, which is how a sky counts on a diffuse surface. `None` edge-on.
+    /// Draws a direction on the side of the normal, by the cosine to it: so a sky counts on a diffuse
+    /// surface. `None` edge-on.
     ///
-    /// Density: `|cos θ| / 2π`, in 1/sr ([`SkyLight::pdf`]).
+    /// Density: `cos θ / π`, in 1/sr ([`SkyLight::pdf`]).
     pub fn sample(&self, from: &Surface, u: [f32; 2]) -> Option<LightSample> {
-        let below = u[0] < 0.5;
-        let twice = 2.0 * u[0] - f32::from(u8::from(!below));
-        let local = hemisphere::sample_cosine([twice, u[1]]);
-        let n = if below { -from.n } else { from.n };
-        let wi = Frame::new(n).to_world(local).normalize();
+        let local = hemisphere::sample_cosine(u);
+        let wi = Frame::new(from.n).to_world(local).normalize();
         let pdf = self.pdf(from, wi);
         (pdf > 0.0).then(|| LightSample {
             wi,
@@ -38,8 +35,8 @@ impl SkyLight {
         })
     }
 
-    /// Density of [`SkyLight::sample`] at the unit direction `wi`, in 1/sr.
+    /// Density of [`SkyLight::sample`] at the unit direction `wi`, in 1/sr; 0 behind the surface.
     pub fn pdf(&self, from: &Surface, wi: Vec3) -> f32 {
-        0.5 * FRAC_1_PI * from.n.dot(wi).abs()
+        FRAC_1_PI * from.n.dot(wi).max(0.0)
     }
 }

@@ -333,5 +333,5 @@ fn the_sample_itself_is_right() {
     std::fs::write(folder.path().join("good.toml"), SCENE).unwrap();
     let output = super::halfdisk(folder.path(), &["render", "good.toml"]);
     assert!(output.status.success(), "{}", super::complaint(&output));
-    assert!(folder.path().join("out/sample.png").exists());
+    assert!(folder.path().join("out/good.png").exists());
 }

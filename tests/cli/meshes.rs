@@ -220,7 +220,7 @@ fn a_scene_of_ones_own_finds_its_mesh_from_anywhere() {
     let path = path.to_str().unwrap();
     let output = halfdisk(here.path(), &["render", path, "--spp", "2"]);
     assert!(output.status.success(), "{}", complaint(&output));
-    let written = std::fs::read(here.path().join("out/solid.png")).unwrap();
+    let written = std::fs::read(here.path().join("out/scene.png")).unwrap();
     assert!(written == expected);
 }
 
