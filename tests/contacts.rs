@@ -162,6 +162,12 @@ fn lamps_that_overlap() {
     let [chance, combine, path] = three_ways(&[FLOOR, LAMP, bright].concat(), 3);
     agree("the first of two lamps", [chance, combine]);
     agree("the first of two lamps", [chance, path]);
+    // Of two lamps in one place the first in the file is met.
+    let once = three_ways(&[FLOOR, LAMP].concat(), 5)[2];
+    let again =
+        "[[objects]]\nemits = 9\nquad = { corner = [1, 1, 1], u = [-2, 0, 0], v = [0, 0, -2] }\n";
+    let dimmed = three_ways(&[FLOOR, LAMP, again].concat(), 6)[2];
+    agree("the first of two lamps in one place", [once, dimmed]);
     let triangle =
         "[[objects]]\nemits = 9\ntriangle = { a = [-1, 1, -1], b = [1, 1, -1], c = [0, 1, 1] }\n";
     let [chance, combine, path] = three_ways(&[FLOOR, triangle, LAMP, CEILING].concat(), 4);

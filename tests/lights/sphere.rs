@@ -140,7 +140,6 @@ fn a07_degenerate_lamps_are_refused_or_absent() {
         };
         gallery::from_text(source, Some(folder.path()), |_| {})
     };
-    let without = load("").unwrap();
     let nothing = load("[[objects]]\nemits = 5\nmesh.file = 'nothing.obj'\n").unwrap_err();
     let complaint = nothing.to_string();
     assert!(
