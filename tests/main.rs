@@ -10,6 +10,7 @@ mod aiming;
 mod chapters;
 mod checks;
 mod cli;
+mod clock;
 mod contacts;
 mod cost;
 mod determinism;

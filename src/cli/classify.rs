@@ -3,10 +3,10 @@
 use super::{Stop, answer, stem};
 use crate::desk::{Bar, on_ctrl_c, tell, whole};
 use crate::effects::language::{self, Class, Finds, finds};
-use crate::effects::plan::count;
 use crate::effects::words::{Words, words_watched};
 use crate::integrators::{Integrator, Named, Path, Restricted};
 use crate::notation::Word;
+use crate::numeric::count;
 use crate::output::{self, Display, Provenance};
 use crate::render::{self, Film, Options, Rendered};
 use crate::sampling::stream::Sampler;

@@ -3,9 +3,9 @@
 use super::{Stop, answer, check_folder, save, use_threads};
 use crate::chart::{ChartError, convergence_chart};
 use crate::desk::{Bar, on_ctrl_c, tell, whole};
-use crate::effects::plan::count;
 use crate::experiment::convergence::{Convergence, Design, Estimator, converge_watched};
 use crate::experiment::named;
+use crate::numeric::count;
 use clap::Args;
 use serde_json::{Value, json};
 use std::fmt::Write as _;

@@ -2,6 +2,7 @@
 
 use super::language;
 use crate::notation::{Expression, Language, Word};
+use crate::numeric::count;
 use crate::scene::{Effect, Inventory, Scene, Sky};
 use serde::Serialize;
 
@@ -243,9 +244,4 @@ fn notes(scene: &Scene) -> Vec<String> {
         ));
     }
     notes
-}
-
-/// A number of things: `1 sample`, `2 samples`.
-pub fn count(n: usize, one: &str, many: &str) -> String {
-    format!("{n} {}", if n == 1 { one } else { many })
 }

@@ -55,6 +55,11 @@ pub fn fixed(x: f64, decimals: usize) -> String {
     }
 }
 
+/// A number of things: `1 sample`, `2 samples`.
+pub fn count(n: usize, one: &str, many: &str) -> String {
+    format!("{n} {}", if n == 1 { one } else { many })
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;

@@ -29,7 +29,7 @@ mod worth;
 pub use super::goal::{Goal, Pilot, Prediction, Reached, StoppedBy};
 use pilot::pilot;
 pub use pilot::{Unfinished, pilot_seed, predict};
-pub use words::{count, percent, seconds};
+pub use words::{percent, seconds};
 
 /// The most samples a pixel may get.
 pub const MOST_SAMPLES: u32 = 1 << 24;

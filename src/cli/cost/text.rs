@@ -1,8 +1,8 @@
 //! The price list as text: for people, and as CSV.
 
 use super::Report;
-use crate::effects::plan::count;
 use crate::experiment::cost::{PriceList, Priced, Reach, TARGETS, Verdict};
+use crate::numeric::count;
 use crate::stats::price::Ratio;
 use std::fmt::Write as _;
 

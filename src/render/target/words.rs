@@ -1,11 +1,15 @@
 //! What is predicted and reached, in words.
 
+use crate::numeric::count;
 use crate::render::goal::{Pilot, Prediction, Reached, StoppedBy};
 use std::fmt::{Display, Formatter, Result};
 
 impl Display for Pilot {
     fn fmt(&self, f: &mut Formatter<'_>) -> Result {
-        let (spp, time) = (count(self.spp.into(), "sample"), seconds(self.seconds));
+        let (spp, time) = (
+            count(self.spp as usize, "sample", "samples"),
+            seconds(self.seconds),
+        );
         write!(f, "{spp} per pixel in {time}, error {}", error(self.error))
     }
 }
@@ -17,7 +21,7 @@ impl Display for Prediction {
             "{}: {}; predicted: {}, {}, error {}",
             if self.separate { "pilot" } else { "so far" },
             self.pilot,
-            count(self.spp.into(), "sample"),
+            count(self.spp as usize, "sample", "samples"),
             seconds(self.seconds),
             error(self.error),
         )?;
@@ -39,11 +43,6 @@ impl Display for Reached {
         }
         write!(f, ", half of it in {}", seconds(self.seconds_to_half))
     }
-}
-
-/// `1 sample`, `2 samples`.
-pub fn count(n: u64, what: &str) -> String {
-    format!("{n} {what}{}", if n == 1 { "" } else { "s" })
 }
 
 /// An error as a percentage, or that it is not known.
