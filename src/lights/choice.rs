@@ -43,10 +43,15 @@ struct Far {
     by_fluence: Discrete,
     indices: Vec<u32>,
     fluence: f64,
+    /// The share of the choices that they have at least.
+    least: f64,
 }
 
-/// Either group has at least this share of the choices.
+/// Either group has at least this share of the choices; a sky of one colour has less.
 const LEAST_OF_A_GROUP: f64 = 0.25;
+/// A sky of one colour counts for so much of what it gives, and has this share at least where nothing
+/// else is far away: rays that leave a surface by chance find it as well as those that aim.
+const SKY: f64 = 0.1;
 /// So many choices are shared by all lights of a group alike.
 const ALIKE: f64 = 0.1;
 /// The largest uniform of 53 bits.
@@ -56,7 +61,7 @@ impl LightChoice {
     /// The choice among `lights`, of which some move: `span` says how far while the shutter is open.
     pub fn new(lights: &[Light], span: impl Fn(usize) -> Vec3) -> Self {
         let (mut bounds, mut near) = (Vec::new(), Vec::new());
-        let (mut fluences, mut far) = (Vec::new(), Vec::new());
+        let (mut fluences, mut far, mut least) = (Vec::new(), Vec::new(), SKY);
         for (index, light) in lights.iter().enumerate().filter(|(_, l)| l.shines()) {
             match LightBounds::of(light) {
                 Some(bound) => {
@@ -64,7 +69,10 @@ impl LightChoice {
                     near.push(index as u32);
                 }
                 None => {
-                    fluences.push(light.fluence_from_afar());
+                    let all = light.fluence_from_afar();
+                    let is_sky = matches!(light, Light::Sky(_));
+                    fluences.push(if is_sky { SKY * all } else { all });
+                    least = if is_sky { least } else { LEAST_OF_A_GROUP };
                     far.push(index as u32);
                 }
             }
@@ -81,6 +89,7 @@ impl LightChoice {
                 by_fluence,
                 indices: far,
                 fluence,
+                least,
             }),
         }
     }
@@ -137,7 +146,7 @@ impl LightChoice {
             (Some(near), Some(far)) => {
                 let here = near.tree.fluence(p);
                 let share = here / (here + far.fluence);
-                share.clamp(LEAST_OF_A_GROUP, 1.0 - LEAST_OF_A_GROUP)
+                share.clamp(LEAST_OF_A_GROUP, 1.0 - far.least)
             }
         }
     }
