@@ -51,7 +51,7 @@ struct Far {
 const LEAST_OF_A_GROUP: f64 = 0.25;
 /// A sky of one colour counts for so much of what it gives, and has this share at least where nothing
 /// else is far away: rays that leave a surface by chance find it as well as those that aim.
-const SKY: f64 = 0.1;
+const SKY: f64 = 0.02;
 /// So many choices are shared by all lights of a group alike.
 const ALIKE: f64 = 0.1;
 /// The largest uniform of 53 bits.
