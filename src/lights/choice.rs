@@ -14,6 +14,8 @@ use glam::Vec3;
 /// between a light and the point.
 #[derive(Clone, Debug, Default)]
 pub struct LightChoice {
+    /// The only light there is: most scenes have no more.
+    only: Option<usize>,
     near: Option<Near>,
     far: Option<Far>,
 }
@@ -81,6 +83,10 @@ impl LightChoice {
         let alike = ALIKE / fluences.len() as f64;
         let weights = fluences.iter().map(|f| (1.0 - ALIKE) * f / fluence + alike);
         LightChoice {
+            only: match (near.as_slice(), far.as_slice()) {
+                ([only], []) | ([], [only]) => Some(*only as usize),
+                _ => None,
+            },
             near: LightTree::new(&bounds).map(|tree| Near {
                 tree,
                 indices: near,
@@ -99,7 +105,19 @@ impl LightChoice {
     ///
     /// * Domain: `u` in `[0, 1)`, of 53 bits.
     /// * Probability: [`LightChoice::probability`].
+    #[inline]
     pub fn choose(&self, p: Vec3, u: f64) -> Option<ChosenLight> {
+        match self.only {
+            Some(index) => Some(ChosenLight {
+                index,
+                probability: 1.0,
+                rest: u,
+            }),
+            None => self.choose_one(p, u),
+        }
+    }
+
+    fn choose_one(&self, p: Vec3, u: f64) -> Option<ChosenLight> {
         let share = self.near_share(p);
         let rescaled = |low: f64, share: f64| ((u - low) / share).clamp(0.0, LAST);
         let (index, probability, rest) = match (&self.near, &self.far) {
@@ -122,7 +140,15 @@ impl LightChoice {
     }
 
     /// The probability with which [`LightChoice::choose`] draws the light `index` for the point `p`.
+    #[inline]
     pub fn probability(&self, p: Vec3, index: usize) -> f32 {
+        match self.only {
+            Some(only) => f32::from(u8::from(only == index)),
+            None => self.probability_of_one(p, index),
+        }
+    }
+
+    fn probability_of_one(&self, p: Vec3, index: usize) -> f32 {
         let place = |indices: &[u32]| indices.binary_search(&(index as u32)).ok();
         let share = self.near_share(p);
         if let Some(near) = &self.near
@@ -155,9 +181,6 @@ impl LightChoice {
 impl Near {
     fn choose(&self, p: Vec3, u: f64) -> Option<(u32, f64, f64)> {
         let count = self.indices.len();
-        if count == 1 {
-            return Some((self.indices[0], 1.0, u));
-        }
         let (at, by_tree, rest) = if u < ALIKE {
             let scaled = u / ALIKE * count as f64;
             let at = (scaled as usize).min(count - 1) as u32;
@@ -171,10 +194,7 @@ impl Near {
     }
 
     fn probability(&self, p: Vec3, at: usize) -> f64 {
-        match self.indices.len() {
-            1 => 1.0,
-            count => mixed(self.tree.probability(p, at as u32), count),
-        }
+        mixed(self.tree.probability(p, at as u32), self.indices.len())
     }
 }
 

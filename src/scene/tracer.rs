@@ -153,6 +153,7 @@ impl<'a, const MOVES: bool> Tracer<'a, MOVES> {
 
     /// True where the light `index` is visible along the shadow ray of a sample of it: nothing stands
     /// in the way, and of surfaces within rounding of each other the light is the one that is met.
+    #[inline]
     pub fn visible(&mut self, index: usize, sample: &LightSample) -> bool {
         let ray = &sample.shadow_ray;
         self.is_free(ray)
