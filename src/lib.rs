@@ -47,7 +47,7 @@
 //! | `pdf` | probability density in 1/sr; `pdf_area` in 1/m² |
 //! | `li` | incoming radiance in W/(m² sr) |
 //! | `beta` | throughput: the product of `f cos / pdf` along a path so far |
-//! | `u` | uniforms in `[0, 1)`, multiples of 2^-24 |
+//! | `u` | uniforms in `[0, 1)`: multiples of 2^-24 where a point is drawn, of 2^-53 where one of many is chosen |
 //! | `spp` | samples per pixel |
 //! | depth | path segments, the camera ray first, the one that ends on the light last |
 //!

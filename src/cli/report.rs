@@ -1,6 +1,7 @@
 //! What happened in a render: in words, and for programs.
 
 use crate::integrators::{ENOUGH, RarelyAsked};
+use crate::numeric::count;
 use crate::output::Provenance;
 use crate::render::Faults;
 use crate::render::target::{Outcome, fewest};
@@ -26,9 +27,9 @@ pub(super) fn report(
     let rays = rendered.rays;
     let [w, h] = scene.size;
     line(format!(
-        "{}: {w} x {h}, {} shapes, built in {:.3} s, rendered in {seconds:.3} s",
+        "{}: {w} x {h}, {}, built in {:.3} s, rendered in {seconds:.3} s",
         scene.name,
-        scene.report.shapes,
+        count(scene.report.shapes, "shape", "shapes"),
         scene.report.time.as_secs_f64(),
     ));
     line(format!(
@@ -51,8 +52,12 @@ pub(super) fn report(
     line(format!("mean of the picture: {mean:.6}{error}"));
     if scene.report.degenerate_triangles > 0 {
         line(format!(
-            "note: {} triangles without area were left out",
-            scene.report.degenerate_triangles
+            "note: {} left out",
+            count(
+                scene.report.degenerate_triangles,
+                "triangle without area was",
+                "triangles without area were"
+            )
         ));
     }
     for note in &scene.report.notes {
@@ -60,15 +65,21 @@ pub(super) fn report(
     }
     if scene.report.hidden_lamps > 0 {
         line(format!(
-            "note: {} lamps in the very place of an earlier one were left out",
-            scene.report.hidden_lamps
+            "note: {} in the very place of an earlier one {} left out",
+            count(scene.report.hidden_lamps, "lamp", "lamps"),
+            if scene.report.hidden_lamps == 1 {
+                "was"
+            } else {
+                "were"
+            }
         ));
     }
     if let Some(coarse) = scene.report.coarse {
         line(format!(
-            "warning: {} shapes are so small for where they stand that rounding changes their form: \
+            "warning: {} so small for where they stand that rounding changes their form: \
              numbers there are up to {} apart, counted from the camera",
-            coarse.shapes, coarse.step
+            count(coarse.shapes, "shape is", "shapes are"),
+            coarse.step
         ));
     }
     if let Some(bad) = rendered.first_bad {
@@ -85,7 +96,8 @@ pub(super) fn report(
     }
     if too_bright > 0 {
         line(format!(
-            "warning: {too_bright} pixels are brighter than the scene's lights and albedos allow"
+            "warning: {} brighter than the scene's lights and albedos allow",
+            count(too_bright, "pixel is", "pixels are")
         ));
     }
     if rendered.interrupted {

@@ -166,7 +166,7 @@ impl Kept {
     }
 }
 
-/// Like [`write`], for a picture that took long: where its file cannot be written, on a full disk, the
+/// Like [`write()`], for a picture that took long: where its file cannot be written, on a full disk, the
 /// picture is kept in the folder for temporary files, and if there is little room there, too, as PNG.
 pub fn write_somewhere(
     path: &Path,

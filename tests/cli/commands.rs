@@ -341,9 +341,9 @@ fn what_is_too_small_or_hidden_is_said() {
         complaint(&output)
     };
     let far = said("far.toml");
-    assert!(far.contains("warning: 1 shapes are so small"), "{far}");
+    assert!(far.contains("warning: 1 shape is so small"), "{far}");
     assert!(far.contains("up to 0.0625 apart"), "{far}");
-    assert!(far.contains("note: 1 lamps in the very place"), "{far}");
+    assert!(far.contains("note: 1 lamp in the very place"), "{far}");
     let near = said("spheres");
     assert!(
         !near.contains("warning") && !near.contains("note: "),
