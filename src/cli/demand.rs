@@ -220,12 +220,12 @@ mod tests {
         };
         let dark = line(0.0038);
         assert!(
-            dark.contains("biased: 0.38 ± 0.06 % of the light is missing;"),
+            dark.contains("biased: it lacks 0.38 ± 0.06 % of the light;"),
             "{dark}"
         );
         let bright = line(-0.0038);
         assert!(
-            bright.contains("biased: it is 0.38 ± 0.06 % brighter than it should be;"),
+            bright.contains("biased: it has 0.38 ± 0.06 % more light than it should;"),
             "{bright}"
         );
     }
