@@ -62,9 +62,10 @@ pub fn rarely_asked(scene: &Scene, max_depth: u32, samples: u64) -> Option<Rarel
     }
     let scale = samples as f64 / f64::from(probes);
     times.iter_mut().for_each(|t| *t *= scale);
-    let shines = |i: &usize| scene.lights[*i].shines();
+    // Rays that leave by chance find a sky of one colour.
+    let counts = |i: &usize| scene.lights[*i].shines() && scene.sky_light != Some(*i);
     let rare: Vec<usize> = (0..lights)
-        .filter(shines)
+        .filter(counts)
         .filter(|&i| times[i] < ENOUGH)
         .collect();
     let least = *rare

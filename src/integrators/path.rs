@@ -5,7 +5,8 @@
 //! of point and directional lights `L(D|G)(S|G|D)*E`: the same light as `combine`.
 //!
 //! Differs from `combine`: one lamp is chosen by what it may give at the point, where that asks all,
-//! so that a scene may have thousands; a sky of one colour is aimed at like any other light; a path that carries little may end before the depth cut; and where a scene has
+//! so that a scene may have thousands; a sky of one colour is aimed at now and then; a path that carries
+//! little may end before the depth cut; and where a scene has
 //! mirrors or glass, some of the rays from other surfaces look there, for no shadow ray finds the
 //! light they focus. It is the ladder's last rung and puts its steps together; most have a rung of
 //! their own.

@@ -3,7 +3,7 @@
 use super::Light;
 use super::bounds::LightBounds;
 use super::tree::LightTree;
-use crate::sampling::discrete::Discrete;
+use crate::sampling::discrete::{Discrete, LAST_FINE};
 use glam::Vec3;
 
 /// Chooses one of a scene's lights for a point, by what each may give there.
@@ -56,11 +56,9 @@ const LEAST_OF_A_GROUP: f64 = 0.25;
 const SKY: f64 = 0.02;
 /// So many choices are shared by all lights of a group alike.
 const ALIKE: f64 = 0.1;
-/// The largest uniform of 53 bits.
-const LAST: f64 = 1.0 - f64::EPSILON / 2.0;
 
 impl LightChoice {
-    /// The choice among `lights`, of which some move: `span` says how far while the shutter is open.
+    /// The choice among `lights`. Some may move: `span` says how far while the shutter is open.
     pub fn new(lights: &[Light], span: impl Fn(usize) -> Vec3) -> Self {
         let (mut bounds, mut near) = (Vec::new(), Vec::new());
         let (mut fluences, mut far, mut least) = (Vec::new(), Vec::new(), SKY);
@@ -119,7 +117,7 @@ impl LightChoice {
 
     fn choose_one(&self, p: Vec3, u: f64) -> Option<ChosenLight> {
         let share = self.near_share(p);
-        let rescaled = |low: f64, share: f64| ((u - low) / share).clamp(0.0, LAST);
+        let rescaled = |low: f64, share: f64| ((u - low) / share).clamp(0.0, LAST_FINE);
         let (index, probability, rest) = match (&self.near, &self.far) {
             (Some(near), _) if u < share => {
                 let (index, probability, rest) = near.choose(p, rescaled(0.0, share))?;
@@ -184,11 +182,11 @@ impl Near {
         let (at, by_tree, rest) = if u < ALIKE {
             let scaled = u / ALIKE * count as f64;
             let at = (scaled as usize).min(count - 1) as u32;
-            let rest = (scaled - f64::from(at)).clamp(0.0, LAST);
+            let rest = (scaled - f64::from(at)).clamp(0.0, LAST_FINE);
             (at, self.tree.probability(p, at), rest)
         } else {
             self.tree
-                .choose(p, ((u - ALIKE) / (1.0 - ALIKE)).min(LAST))?
+                .choose(p, ((u - ALIKE) / (1.0 - ALIKE)).min(LAST_FINE))?
         };
         Some((self.indices[at as usize], mixed(by_tree, count), rest))
     }

@@ -1,6 +1,7 @@
 //! A light tree: choosing one of many lights by what it may give at a point.
 
 use super::bounds::LightBounds;
+use crate::sampling::discrete::LAST_FINE;
 use glam::Vec3;
 
 /// A binary tree over lights, which knows of each branch where its lights are, which way they shine
@@ -103,7 +104,7 @@ impl LightTree {
             } else {
                 (second, 1.0 - share, share)
             };
-            u = ((u - below) / chance).clamp(0.0, 1.0 - f64::EPSILON / 2.0);
+            u = ((u - below) / chance).clamp(0.0, LAST_FINE);
             probability *= chance;
             at = next;
         }

@@ -30,7 +30,7 @@ pub fn refined(u: f32, below: f64) -> f64 {
 }
 
 /// The largest uniform of 53 bits.
-const LAST_FINE: f64 = 1.0 - f64::EPSILON / 2.0;
+pub const LAST_FINE: f64 = 1.0 - f64::EPSILON / 2.0;
 
 impl Discrete {
     /// The distribution of these weights, finite and not negative; `None` where none is positive.
