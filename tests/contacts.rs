@@ -187,3 +187,9 @@ fn a_lamp_that_slides_in_its_ceiling() {
     let moving = format!("{LAMP}motion = [0.5, 0, 0.2]\n");
     same_light("a lamp that slides", &[FLOOR, CEILING, &moving]);
 }
+
+#[test]
+fn a_lamp_that_sinks_out_of_its_ceiling() {
+    let moving = format!("{LAMP}motion = [0, -0.5, 0]\n");
+    same_light("a lamp that sinks", &[FLOOR, CEILING, &moving]);
+}
