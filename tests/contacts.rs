@@ -4,6 +4,7 @@
 use halfdisk::integrators::{Combine, Integrator, Kajiya, Path};
 use halfdisk::render::{Options, render};
 use halfdisk::sampling::mis::Heuristic;
+use halfdisk::scene::Scene;
 use halfdisk::scene::gallery;
 use halfdisk::scene::read::Source;
 
@@ -13,9 +14,8 @@ const CRITICAL: f64 = 4.4;
 /// thirty per cent and more.
 const SMALLEST: f64 = 0.1;
 
-/// Means and their errors by three ways: a walk that finds lamps by chance, one that aims at all, and
-/// the one in use.
-fn three_ways(objects: &str, seed: u64) -> [(f64, f64); 3] {
+/// Some objects before a camera.
+fn scene_of(objects: &str) -> Scene {
     let text = format!(
         "name = 'test'\ncamera = {{ from = [0, 0.2, -3], to = [0, 0, 0], fov = 60, shutter = [0, 1] }}\n\
          film.size = [16, 16]\nmaterials.d.lambert.albedo = 0.6\nmaterials.dark.lambert.albedo = 0.2\n\
@@ -25,7 +25,13 @@ fn three_ways(objects: &str, seed: u64) -> [(f64, f64); 3] {
         file: "test.toml",
         text: &text,
     };
-    let scene = gallery::from_text(source, None, |_| {}).unwrap();
+    gallery::from_text(source, None, |_| {}).unwrap()
+}
+
+/// Means and their errors by three ways: a walk that finds lamps by chance, one that aims at all, and
+/// the one in use.
+fn three_ways(objects: &str, seed: u64) -> [(f64, f64); 3] {
+    let scene = scene_of(objects);
     let mean = |integrator: &dyn Integrator, spp| {
         let options = Options {
             spp,
@@ -176,6 +182,51 @@ fn lamps_that_overlap() {
 }
 
 #[test]
+fn lamps_told_again_from_another_corner_are_counted() {
+    let lamp = |shape: &str| format!("[[objects]]\nemits = 1\n{shape}\n");
+    for (shape, again) in [
+        (
+            "quad = { corner = [-1, 1, -1], u = [2, 0, 0], v = [0, 0, 2] }",
+            "quad = { corner = [1, 1, 1], u = [-2, 0, 0], v = [0, 0, -2] }",
+        ),
+        (
+            "quad = { corner = [1, 0, 0], u = [1, 2, 0], v = [0, 0, 1] }",
+            "quad = { corner = [1, 0, 1], u = [0, 0, -1], v = [1, 2, 0] }",
+        ),
+        (
+            "triangle = { a = [0, 1, 0], b = [1, 1, 0], c = [0, 2, 3] }",
+            "triangle = { a = [1, 1, 0], b = [0, 2, 3], c = [0, 1, 0] }",
+        ),
+        (
+            "sphere = { center = [0, 1, 0], radius = 0.5 }",
+            "sphere = { center = [0, 1, 0], radius = 0.5 }",
+        ),
+    ] {
+        let hidden = |objects: &[String]| scene_of(&objects.concat()).report.hidden_lamps;
+        assert_eq!(hidden(&[lamp(shape), lamp(again)]), 1, "{again}");
+        assert_eq!(hidden(&[lamp(shape), lamp(again), lamp(again)]), 2);
+        // Elsewhere, turned over or shining on both sides it is another.
+        let moved = format!("{again}\ntransform.translate = [0, 0.5, 0]");
+        let both = format!("{again}\ntwo_sided = true");
+        let others = if shape.starts_with("sphere") {
+            vec![moved]
+        } else {
+            vec![moved, both]
+        };
+        for other in others {
+            assert_eq!(hidden(&[lamp(shape), lamp(&other)]), 0, "{other}");
+        }
+    }
+    let turned = "quad = { corner = [-1, 1, -1], u = [0, 0, 2], v = [2, 0, 0] }";
+    assert_eq!(
+        scene_of(&[LAMP.to_owned(), lamp(turned)].concat())
+            .report
+            .hidden_lamps,
+        0
+    );
+}
+
+#[test]
 fn balls_in_one_place() {
     let lamp = "[[objects]]\nemits = 4\nsphere = { center = [0.5, 0.2, 0.5], radius = 0.4 }\n";
     let ball = "[[objects]]\nmaterial = 'd'\nsphere = { center = [0.5, 0.2, 0.5], radius = 0.4 }\n";
@@ -190,6 +241,6 @@ fn a_lamp_that_slides_in_its_ceiling() {
 
 #[test]
 fn a_lamp_that_sinks_out_of_its_ceiling() {
-    let moving = format!("{LAMP}motion = [0, -0.5, 0]\n");
+    let moving = format!("{LAMP}motion = [0, -1.4, 0]\n");
     same_light("a lamp that sinks", &[FLOOR, CEILING, &moving]);
 }

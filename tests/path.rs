@@ -86,60 +86,56 @@ fn looking_towards_glass_changes_the_noise_and_not_the_mean() {
     }
 }
 
+/// The light that a floor of albedo 0.5 under a ball of a lamp scatters to us, on two segments: the
+/// lamp's own alone, `albedo L sin² θ cos γ`. Where the weights of its two ways add up to something
+/// else than one, that is told.
+fn a_lamp_over_a_floor(lamp: [f64; 3], radius: f64, material: &str, objects: &str) {
+    let albedo = 0.5;
+    let text = format!(
+        "name = 'test'\ncamera = {{ from = [0, 2, 5], to = [0, 0, 0], fov = 40 }}\n\
+         materials.half.lambert.albedo = {albedo}\n\
+         materials.mirror.mirror.reflectance = 0.9\nmaterials.glass.glass.ior = 1.5\n\
+         [[objects]]\nmaterial = 'half'\nquad = {{ corner = [-9, 0, 9], u = [18, 0, 0], v = [0, 0, -18] }}\n\
+         [[objects]]\n{material}emits = 4\nsphere = {{ center = {lamp:?}, radius = {radius} }}\n{objects}"
+    );
+    let source = Source {
+        file: "test.toml",
+        text: &text,
+    };
+    let scene = gallery::from_text(source, None, |_| {}).unwrap();
+    // From the eye, which is the origin, to the floor below the origin of the file.
+    let ray = Ray::new(Vec3::ZERO, Vec3::new(0.0, -2.0, -5.0).normalize());
+    let mut tracer = Tracer::new(&scene);
+    let path = Path::new(2);
+    let estimate: Estimate = (0..400_000)
+        .map(|i| f64::from(path.li(&mut tracer, &ray, &Stream::new(6, i, 0)).g))
+        .collect();
+    let distance2: f64 = lamp.iter().map(|x| x * x).sum();
+    let truth = albedo * 4.0 * (radius * radius / distance2) * lamp[1] / distance2.sqrt();
+    let name = format!("{lamp:?}, {radius}, {material}{objects}");
+    accept(&name, &estimate, truth, truth);
+}
+
 #[test]
 fn weights_of_aimed_and_met_light_add_up_to_one_before_mirrors_and_glass() {
-    // A ball of a lamp over a floor, and before, behind or beside it what focuses light and is looked
-    // at. On two segments only the lamp's own light counts, `albedo L sin² θ cos γ`: where the weights
-    // of its two ways add up to something else, it is told.
-    let albedo = 0.5;
-    let floor = "quad = { corner = [-9, 0, 9], u = [18, 0, 0], v = [0, 0, -18] }";
-    for (lamp, lamp_radius) in [([0.0, 1.0, 0.0], 0.5), ([1.0, 1.5, 0.5], 0.9)] {
-        for (caster, shape) in [
-            (
-                "mirror.reflectance = 0.9",
-                "sphere = { center = [0, 4, 0], radius = 1.5 }",
-            ),
-            (
-                "mirror.reflectance = 0.9",
-                "sphere = { center = [2.5, 3, 1.2], radius = 1 }",
-            ),
-            (
-                "glass.ior = 1.5",
-                "sphere = { center = [1, 4, 0.5], radius = 1.5 }",
-            ),
-            (
-                "mirror.reflectance = 0.9",
-                "sphere = { center = [-1.5, 0.8, 0], radius = 0.7 }",
-            ),
+    // Before, behind or beside the lamp stands what focuses light and is looked at.
+    for (lamp, radius) in [([0.0, 1.0, 0.0], 0.5), ([1.0, 1.5, 0.5], 0.9)] {
+        for caster in [
+            "material = 'mirror'\nsphere = { center = [0, 4, 0], radius = 1.5 }\n",
+            "material = 'mirror'\nsphere = { center = [2.5, 3, 1.2], radius = 1 }\n",
+            "material = 'glass'\nsphere = { center = [1, 4, 0.5], radius = 1.5 }\n",
+            "material = 'mirror'\nsphere = { center = [-1.5, 0.8, 0], radius = 0.7 }\n",
         ] {
-            let text = format!(
-                "name = 'test'\ncamera = {{ from = [0, 2, 5], to = [0, 0, 0], fov = 40 }}\n\
-                 materials.half.lambert.albedo = {albedo}\nmaterials.caster.{caster}\n\
-                 [[objects]]\nmaterial = 'half'\n{floor}\n\
-                 [[objects]]\nemits = 4\nsphere = {{ center = {lamp:?}, radius = {lamp_radius} }}\n\
-                 [[objects]]\nmaterial = 'caster'\n{shape}\n"
-            );
-            let source = Source {
-                file: "test.toml",
-                text: &text,
-            };
-            let scene = gallery::from_text(source, None, |_| {}).unwrap();
-            // From the eye, which is the origin, to the floor below the origin of the file.
-            let ray = Ray::new(Vec3::ZERO, Vec3::new(0.0, -2.0, -5.0).normalize());
-            let mut tracer = Tracer::new(&scene);
-            let path = Path::new(2);
-            let estimate: Estimate = (0..400_000)
-                .map(|i| f64::from(path.li(&mut tracer, &ray, &Stream::new(6, i, 0)).g))
-                .collect();
-            let distance2: f64 = lamp.iter().map(|x| x * x).sum();
-            let sin2 = lamp_radius * lamp_radius / distance2;
-            let truth = albedo * 4.0 * sin2 * lamp[1] / distance2.sqrt();
-            accept(
-                &format!("{lamp:?}, {caster}, {shape}"),
-                &estimate,
-                truth,
-                truth,
-            );
+            a_lamp_over_a_floor(lamp, radius, "", &format!("[[objects]]\n{caster}"));
+        }
+    }
+}
+
+#[test]
+fn weights_of_aimed_and_met_light_add_up_to_one_where_the_lamp_is_of_glass_however_small() {
+    for radius in [1e-6, 1e-4, 1e-3, 3e-3, 5e-3, 0.02, 0.3] {
+        for material in ["material = 'glass'\n", "material = 'mirror'\n"] {
+            a_lamp_over_a_floor([1.3, 3.7, -0.6], radius, material, "");
         }
     }
 }

@@ -4,7 +4,7 @@ use super::{Incident, LightSample, pdf_by_area, towards};
 use crate::color::Rgb;
 use crate::geometry::{Sphere, Surface};
 use crate::numeric::one_minus_cos;
-use crate::sampling::{frame::Frame, warps};
+use crate::sampling::warps;
 use glam::{DVec3, Vec3};
 use std::f64::consts::PI;
 
@@ -19,10 +19,33 @@ pub struct SphereLight {
 
 /// The cone in which a sphere is seen.
 struct Cone {
-    /// From the eye to the sphere's centre.
-    to_center: DVec3,
+    /// Unit, from the eye to the sphere's centre.
+    axis: DVec3,
+    /// `sin² θ_max`, below 1.
+    sin2_max: f64,
     /// `1 - cos θ_max`, positive.
     one_minus_cos_max: f32,
+}
+
+impl Cone {
+    /// Draws a direction, and the unit normal of the sphere where it first meets it.
+    ///
+    /// The ray passes the centre at `k = sin θ / sin θ_max` radii, so it meets the sphere at the
+    /// angle `α = asin k - θ` from the eye, seen from the centre. No distance is in it, and nothing
+    /// cancels: a chord reckoned from `d² - (d cos θ)²` is noise where the sphere is small.
+    fn sample(&self, u: [f32; 2]) -> (DVec3, DVec3) {
+        let local = warps::sample_cone(u, self.one_minus_cos_max).as_dvec3();
+        let sin2 = local.truncate().length_squared();
+        let cos = (1.0 - sin2).max(0.0).sqrt();
+        let sin_max = self.sin2_max.sqrt();
+        let chord = (1.0 - sin2 / self.sin2_max).max(0.0).sqrt();
+        let (sin_alpha_over_sin, cos_alpha) = (cos / sin_max - chord, cos * chord + sin2 / sin_max);
+
+        let (tangent, bitangent) = self.axis.any_orthonormal_pair();
+        let aside = tangent * local.x + bitangent * local.y;
+        let n = aside * sin_alpha_over_sin - self.axis * cos_alpha;
+        (aside + self.axis * cos, n.normalize())
+    }
 }
 
 impl SphereLight {
@@ -40,28 +63,15 @@ impl SphereLight {
             return towards(from, &target, self.radiance, pdf);
         }
         let cone = self.cone(from)?;
-        let distance2 = cone.to_center.length_squared();
-        let axis = cone.to_center / distance2.sqrt();
-        let in_cone = warps::sample_cone(u, cone.one_minus_cos_max);
-        let toward = Frame::new(axis.as_vec3()).to_world(in_cone).as_dvec3();
-        // The near end of the chord along `toward`; at the rim the chord shrinks to a point.
-        let along = cone.to_center.dot(toward);
-        let radius = f64::from(self.sphere.radius);
-        let chord = (radius * radius - (distance2 - along * along)).max(0.0);
-        let from_center = toward * (along - chord.sqrt()) - cone.to_center;
-        // So far away that `f64` does not tell the near end from the centre, any end will do.
-        let target = self
-            .sphere
-            .surface_towards(from_center.try_normalize().unwrap_or(-axis));
-
-        let shadow_ray = from.spawn_to(&target);
+        let (toward, n) = cone.sample(u);
+        let target = self.sphere.surface_towards(n);
         Some(LightSample {
-            wi: shadow_ray.direction.normalize(),
+            wi: toward.as_vec3(),
             incident: Incident::Radiance {
                 li: self.radiance,
                 pdf: warps::pdf_cone(cone.one_minus_cos_max),
             },
-            shadow_ray,
+            shadow_ray: from.spawn_to(&target),
             part: 0,
         })
     }
@@ -99,7 +109,8 @@ impl SphereLight {
             return None;
         }
         Some(Cone {
-            to_center,
+            axis: to_center / distance2.sqrt(),
+            sin2_max,
             one_minus_cos_max,
         })
     }

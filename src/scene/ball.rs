@@ -5,6 +5,11 @@ use crate::numeric::one_minus_cos;
 use glam::{DVec3, Vec3};
 use std::f64::consts::PI;
 
+/// The sine of the smallest angle under which the radius of a ball is seen that is worth aiming at. The
+/// roundings of a direction in `f32` are a ten thousandth of it. Of smaller balls they would be more,
+/// so that a direction drawn inside one could count as outside.
+const SMALLEST: f64 = 1e-3;
+
 /// A ball around something.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Ball {
@@ -50,16 +55,15 @@ impl Ball {
         (PI * self.radius * self.radius / distance2) as f32
     }
 
-    /// How it is seen from `p`; `None` where that is within it, or it is too small to be seen.
+    /// How it is seen from `p`; `None` where that is within it, or it is too small to be aimed at.
     pub(super) fn seen_from(&self, p: Vec3) -> Option<Sight> {
         let way = self.center - p.as_dvec3();
         let distance2 = way.length_squared();
         let sin2 = self.radius * self.radius / distance2;
-        let one_minus_cos = one_minus_cos(sin2 as f32);
-        (sin2 < 1.0 && one_minus_cos > 0.0).then(|| Sight {
+        (sin2 < 1.0 && sin2 >= SMALLEST * SMALLEST).then(|| Sight {
             axis: (way / distance2.sqrt()).as_vec3(),
             size2: sin2 as f32,
-            one_minus_cos,
+            one_minus_cos: one_minus_cos(sin2 as f32),
         })
     }
 }

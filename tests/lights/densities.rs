@@ -82,6 +82,36 @@ fn of_a_sample_and_of_its_direction_are_one() {
 }
 
 #[test]
+fn both_sides_are_aimed_at() {
+    for shape in [
+        "quad = { corner = [-0.5, 1, 0], u = [1, 0, 0], v = [0, 0, 1] }",
+        "quad = { corner = [-0.5, 1, 0], u = [1, 0.3, 0], v = [0.5, 0, 1] }",
+        "quad = { corner = [900, 3000, 0], u = [1, 0, 0], v = [0, 0, 1] }",
+        "triangle = { a = [-0.5, 1, 0], b = [1, 1.2, 0], c = [0, 0.9, 1] }",
+        "bumpy_sphere = { center = [0, 0, 0], radius = 3, columns = 8, rows = 6 }",
+    ] {
+        // The same surface shows one side to what is below it and the other to what is above.
+        let scene = scene(&format!(
+            "[[objects]]\nemits = 1\ntwo_sided = true\n{shape}"
+        ));
+        let above = Surface {
+            p: Vec3::new(500.0, 9000.0, 0.3),
+            error: Vec3::ZERO,
+            n: Vec3::NEG_Y,
+        };
+        for from in [&GROUND, &above] {
+            let aimed = (0..1000).filter(|i| {
+                let u = Stream::new(5, *i, 0).at(0, Purpose::LightPoint).two();
+                scene.lights[0].sample(from, 0.5, u).is_some()
+            });
+            let aimed = aimed.count();
+            assert!(aimed > 990, "{shape}: {aimed} of 1000");
+            assert!(worst_difference(&scene, from, 1000) < 1e-3, "{shape}");
+        }
+    }
+}
+
+#[test]
 fn where_nothing_is_drawn_there_is_none() {
     let lamps = scene(
         "[[objects]]\nemits = 1\nquad = { corner = [-0.5, 1, 0], u = [0, 0, 1], v = [1, 0, 0] }\n\

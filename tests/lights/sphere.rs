@@ -6,10 +6,12 @@ use halfdisk::color::Rgb;
 use halfdisk::geometry::{Sphere, Surface};
 use halfdisk::integrators::NextEvent;
 use halfdisk::lights::{Incident, Light, PointLight, SphereLight};
+use halfdisk::numeric::gamma;
 use halfdisk::render::{Options, render};
 use halfdisk::sampling::stream::{Purpose, Stream};
 use halfdisk::scene::read::Source;
 use halfdisk::scene::{Scene, gallery};
+use halfdisk::stats::kolmogorov_smirnov::kolmogorov_smirnov;
 use std::f64::consts::{PI, TAU};
 
 fn lamp(center: Vec3, radius: f32) -> Light {
@@ -59,6 +61,51 @@ fn a23_density_times_solid_angle_is_one() {
         worst < 1e-6 && plain_failures >= 12,
         "{worst:e} {plain_failures}"
     );
+}
+
+/// Directions are uniform in solid angle also to a ball that is small or far, and lead to its near side.
+#[test]
+fn a23_directions_to_balls_of_any_size_are_uniform() {
+    let from = Surface {
+        p: Vec3::new(3.0, 4.0, -12.0),
+        error: Vec3::ZERO,
+        n: Vec3::Z,
+    };
+    let axis = -from.p.as_dvec3() / 13.0;
+    let (across, beside) = axis.any_orthonormal_pair();
+    for k in 0..=4 {
+        let radius = 10.0 * libm::pow(10.0, -f64::from(k));
+        let light = lamp(Vec3::ZERO, radius as f32);
+        let sin2_max = (radius / 13.0).powi(2);
+        let one_minus_cos = |sin2: f64| sin2 / (1.0 + (1.0 - sin2).sqrt());
+        let (mut shares, mut angles) = (Vec::new(), Vec::new());
+        for i in 0..5000 {
+            let u = Stream::new(6, i, k).at(0, Purpose::LightPoint).two();
+            let sample = light.sample(&from, 0.5, u).unwrap();
+            // The end of the ray, next to the world's origin, tells which point of the ball it goes
+            // to, and that the direction.
+            let ray = &sample.shadow_ray;
+            let length = f64::from(ray.t_max / (1.0 - gamma(8)));
+            let end = ray.origin.as_dvec3() + ray.direction.as_dvec3() * length;
+            let n = end.normalize();
+            let toward = (n * radius - from.p.as_dvec3()).normalize();
+            let share =
+                one_minus_cos(toward.cross(axis).length_squared()) / one_minus_cos(sin2_max);
+            assert!(n.dot(toward) < 1e-2, "radius {radius}: {n} is behind");
+            shares.push(share.min(1.0));
+            angles.push(libm::atan2(n.dot(across), n.dot(beside)));
+            let off = (sample.wi.as_dvec3() - toward).length();
+            assert!(off < 4e-7, "radius {radius}: {off:e} off");
+        }
+        let of_shares = kolmogorov_smirnov(&mut shares, |share| share);
+        let of_angles = kolmogorov_smirnov(&mut angles, |angle| 0.5 + angle / TAU);
+        // Ten comparisons, each at a level of one in a hundred thousand: where more than 3.5 % lie
+        // on the wrong side of some circle or line, that is seen.
+        assert!(
+            of_shares.p > 1e-5 && of_angles.p > 1e-5,
+            "radius {radius}: {of_shares:?} {of_angles:?}"
+        );
+    }
 }
 
 #[test]

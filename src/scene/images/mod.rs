@@ -41,8 +41,6 @@ const STOPS: [[f32x8; 3]; GROUPS] = {
     }
     stops
 };
-/// A ball whose radius is seen under less than this is too small to tell its rings apart.
-const SMALLEST: f32 = 1e-3;
 
 /// How light goes on from a ball: it crosses the ball so many times, and is reflected within it once
 /// less; with no crossing it is reflected by the ball.
@@ -104,15 +102,11 @@ impl LampInBall {
         })
     }
 
-    /// What is seen of it where the ball is seen as `sight`; `None` where that is nothing, or the ball
-    /// is tiny.
+    /// What is seen of it where the ball is seen as `sight`; `None` where that is nothing.
     ///
     /// The lamp counts as a disc that faces the ball, and each ring shows all that any part of it
     /// shows. What is too much costs rays; what is missing is left to others.
     pub(super) fn seen_in(&self, sight: &Sight) -> Option<Image> {
-        if sight.size2 < SMALLEST * SMALLEST {
-            return None;
-        }
         let back = -sight.axis;
         let cos = back.dot(self.towards);
         let aside = self.towards - back * cos;
