@@ -5,7 +5,7 @@ use crate::share_of;
 use halfdisk::desk::{Desk, DeskError, Number};
 use halfdisk::effects::language::{Class, Finds, finds};
 use halfdisk::effects::words::{Words, words};
-use halfdisk::integrators::{Named, Path};
+use halfdisk::integrators::{Entry, LADDER, Path};
 use halfdisk::render::{Options, render};
 use halfdisk::scene::description::{
     Color, Description, Exactly, Light, Object, PointLight, Sphere,
@@ -90,10 +90,10 @@ fn room(
     let all: Estimate = spelt.iter().map(|words| words.total.mean()).collect();
     let mut rays: u64 = spelt.iter().map(|words| words.rays).sum();
     let mut compared = Largest::default();
-    for named in Named::ALL {
-        let found = |class: &Class| finds(named, *class, &scene.inventory);
+    for integrator in LADDER {
+        let found = |class: &Class| finds(&integrator, *class, &scene.inventory);
         for class in Class::ALL {
-            answer(desk, lamp, named, class, found(&class));
+            answer(desk, lamp, integrator, class, found(&class));
         }
         let classes = Class::ALL.into_iter();
         let classes: Vec<Class> = classes.filter(|c| found(c) == Finds::All).collect();
@@ -101,20 +101,20 @@ fn room(
         for (seed, words) in (0..).zip(&spelt) {
             let shares = classes.iter().map(|class| share_of(*class, words)[0]);
             let light = shares.sum::<f64>() * words.total.mean();
-            let (mean, traced) = picture(desk, &scene, named, seed)?;
+            let (mean, traced) = picture(desk, &scene, integrator, seed)?;
             said.add(light);
             read.add(mean);
             // Both saw the lamp through the same points of the pixels: no noise of their difference.
             apart.add(mean - light);
             rays += traced;
         }
-        let says = format!("{}: percent of the light", named.name());
+        let says = format!("{}: percent of the light", integrator.name);
         let percent = |light: f64| 100.0 * light / all.mean();
         let number = Number {
             error: Some(percent(apart.std_error())),
             ..Number::new(&says, percent(read.mean())).exact(percent(said.mean()))
         };
-        desk.number(&format!("{lamp}_{}", key(named)), number);
+        desk.number(&format!("{lamp}_{}", key(integrator)), number);
         // `path` is compared with itself, and differs by rounding alone.
         if apart.std_error() > 1e-6 * all.mean() {
             compared.add(apart.z(0.0));
@@ -124,15 +124,15 @@ fn room(
 }
 
 /// 1 where the integrator finds the class, 0 where it does not, nothing where there is no such light.
-fn answer(desk: &mut Desk, lamp: &str, named: Named, class: Class, found: Finds) {
+fn answer(desk: &mut Desk, lamp: &str, integrator: Entry, class: Class, found: Finds) {
     let value = match found {
         Finds::All => 1.0,
         Finds::Part => 0.5,
         Finds::Nothing => 0.0,
         Finds::Absent => return,
     };
-    let says = format!("{} finds {}", named.name(), class.text());
-    let name = format!("{lamp}_{}_{}", key(named), short(class));
+    let says = format!("{} finds {}", integrator.name, class.text());
+    let name = format!("{lamp}_{}_{}", key(integrator), short(class));
     desk.value(&name, &says, value);
 }
 
@@ -150,16 +150,21 @@ fn spell(desk: &Desk, scene: &Scene, seed: u64) -> Words {
 }
 
 /// The mean of a picture, and its rays.
-fn picture(desk: &Desk, scene: &Scene, named: Named, seed: u64) -> Result<(f64, u64), DeskError> {
-    let by = named.with(scene.suggested.max_depth);
+fn picture(
+    desk: &Desk,
+    scene: &Scene,
+    integrator: Entry,
+    seed: u64,
+) -> Result<(f64, u64), DeskError> {
+    let by = integrator.with(scene.suggested.max_depth);
     let options = options(desk, seed);
-    let rendered = render(scene, &by, &options, &desk.bar(named.name()));
+    let rendered = render(scene, &by, &options, &desk.bar(integrator.name));
     if rendered.interrupted {
         return Err(DeskError::Interrupted);
     }
     Ok((rendered.film.mean().0, rendered.rays.total()))
 }
 
-fn key(named: Named) -> String {
-    named.name().replace('-', "_")
+fn key(integrator: Entry) -> String {
+    integrator.name.replace('-', "_")
 }

@@ -2,7 +2,7 @@
 
 use halfdisk::desk::{Desk, DeskError};
 use halfdisk::effects::language::{Class, of_lamps};
-use halfdisk::integrators::Named;
+use halfdisk::integrators::Whitted;
 use halfdisk::notation::{Expression, ExpressionError, Word};
 
 use Class::{Bleeding, Caustic, Direct, DirectSpecular, Seen, SeenSpecular};
@@ -46,7 +46,7 @@ const BY_HAND: [(&str, Option<Class>, bool); 30] = [
 
 /// Asks the expressions about each word.
 pub fn ask(desk: &mut Desk) {
-    let whitted = of_lamps(Named::Whitted);
+    let whitted = of_lamps(&Whitted::ENTRY);
     let mut right = 0;
     for (text, class, found) in BY_HAND {
         let Some(word) = Word::read(text) else {

@@ -5,7 +5,7 @@ use halfdisk::chart::{Bar, BarChart, BarGroup};
 use halfdisk::desk::{Desk, DeskError, Number};
 use halfdisk::effects::language::{Class, Finds, finds};
 use halfdisk::effects::words::Words;
-use halfdisk::integrators::{Integrator, Named, Path, Restricted};
+use halfdisk::integrators::{Integrator, Path, Restricted, Whitted};
 use halfdisk::render::{Options, Rendered, render};
 use halfdisk::sampling::stream::Sampler;
 use halfdisk::scene::{Scene, gallery};
@@ -106,7 +106,7 @@ pub fn strip(desk: &mut Desk) -> Result<Drawn, DeskError> {
         let number = Number::new(&says, used.round()).unit("%");
         desk.number(&format!("rays_{}", short(class)), number);
         rays += rendered.rays.total();
-        if finds(Named::Whitted, class, &scene.inventory) == Finds::All {
+        if finds(&Whitted::ENTRY, class, &scene.inventory) == Finds::All {
             found += rendered.film.mean().0 / whole.film.mean().0;
         }
     }

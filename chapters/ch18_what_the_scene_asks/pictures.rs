@@ -3,7 +3,7 @@
 use crate::{FINAL, load};
 use halfdisk::desk::{Desk, DeskError, Number};
 use halfdisk::effects::language::{Class, Finds, finds};
-use halfdisk::integrators::{Integrator, Named, Path, Restricted};
+use halfdisk::integrators::{Integrator, Path, Restricted};
 use halfdisk::render::{Options, Rendered, render};
 use halfdisk::sampling::stream::Sampler;
 use halfdisk::scene::Scene;
@@ -46,7 +46,7 @@ pub fn work(desk: &mut Desk) -> Result<Drawn, DeskError> {
     let mut rays = whole.rays.total() + all.rays.total();
     let mut sum = 0.0;
     for class in Class::ALL {
-        if finds(Named::Path, class, &scene.inventory) == Finds::Absent {
+        if finds(&Path::ENTRY, class, &scene.inventory) == Finds::Absent {
             continue;
         }
         let expression = class.expression();

@@ -5,7 +5,7 @@ use crate::{FINAL, load};
 use halfdisk::chart::{Axis, Curve, CurveChart, Style};
 use halfdisk::desk::{Desk, DeskError, Number};
 use halfdisk::experiment::cost::Reference;
-use halfdisk::integrators::{Named, Path};
+use halfdisk::integrators::{self, Kajiya, LADDER, Path, Whitted};
 use halfdisk::render::{Options, render};
 use halfdisk::sampling::stream::Sampler;
 use halfdisk::scene::Scene;
@@ -35,18 +35,18 @@ pub fn work(desk: &mut Desk) -> Result<Race, DeskError> {
     let scene = load(FINAL, desk.choose([32; 2], [12; 2]))?;
     let (truth, mut rays) = reference(desk, &scene)?;
     let sizes = desk.choose(4, 2);
-    let mut entries = vec![[Entry::default(); SIZES.len()]; Named::ALL.len()];
+    let mut entries = vec![[Entry::default(); SIZES.len()]; LADDER.len()];
     // In turns, so that what else the machine does is shared fairly.
     for replicate in 0..desk.choose(4, 3) {
         for (size, spp) in SIZES.into_iter().take(sizes).enumerate() {
-            for (place, named) in Named::ALL.into_iter().enumerate() {
+            for (place, integrator) in LADDER.into_iter().enumerate() {
                 let options = Options {
                     spp,
                     seed: desk.options.seed + 1000 * (1 + place as u64) + replicate,
                     ..Options::default()
                 };
-                let by = named.with(scene.suggested.max_depth);
-                let rendered = render(&scene, &by, &options, &desk.bar(named.name()));
+                let by = integrator.with(scene.suggested.max_depth);
+                let rendered = render(&scene, &by, &options, &desk.bar(integrator.name));
                 if rendered.interrupted {
                     return Err(DeskError::Interrupted);
                 }
@@ -60,39 +60,42 @@ pub fn work(desk: &mut Desk) -> Result<Race, DeskError> {
             }
         }
     }
-    let path = &entries[Named::ALL.len() - 1][sizes - 1];
+    let path = &entries[LADDER.len() - 1][sizes - 1];
     let paid = |entry: &Entry| entry.square.mean() * entry.rays.mean();
     let mut gain = 1.0;
-    for (named, sizes_of) in Named::ALL.into_iter().zip(&entries) {
-        let key = named.name().replace('-', "_");
+    for (integrator, sizes_of) in LADDER.into_iter().zip(&entries) {
+        let key = integrator.name.replace('-', "_");
         let largest = &sizes_of[sizes - 1];
         let [error, its_error] = root(&largest.square);
         let spp = SIZES[sizes - 1];
-        let says = format!("{}: relative error with {spp} samples", named.name());
+        let says = format!("{}: relative error with {spp} samples", integrator.name);
         let number = Number {
             error: Some(its_error),
             ..Number::new(&says, error)
         };
         desk.number(&format!("error_{key}"), number);
-        let says = format!("{}: rays for each pixel", named.name());
+        let says = format!("{}: rays for each pixel", integrator.name);
         desk.value(
             &format!("race_rays_{key}"),
             &says,
             largest.rays.mean().round(),
         );
         // A bias stays, however much is paid.
-        if named != Named::Whitted {
+        if integrator != Whitted::ENTRY {
             let ratio = paid(largest) / paid(path);
             let says = format!(
                 "{}: rays for the same error, of those of path",
-                named.name()
+                integrator.name
             );
             desk.value(&format!("price_{key}"), &says, two_digits(ratio));
             let seconds = largest.square.mean() * largest.seconds.mean();
             let ratio = seconds / (path.square.mean() * path.seconds.mean());
-            let says = format!("{}: time for the same error, of that of path", named.name());
+            let says = format!(
+                "{}: time for the same error, of that of path",
+                integrator.name
+            );
             desk.value(&format!("seconds_{key}"), &says, two_digits(ratio));
-            if named == Named::Kajiya {
+            if integrator == Kajiya::ENTRY {
                 gain = paid(largest) / paid(path);
             }
         }
@@ -103,14 +106,14 @@ pub fn work(desk: &mut Desk) -> Result<Race, DeskError> {
 
 fn chart(desk: &mut Desk, entries: &[[Entry; SIZES.len()]], sizes: usize) -> Result<(), DeskError> {
     let curves = |cost: fn(&Entry) -> f64| {
-        let curve = |(named, entries): (Named, &[Entry; SIZES.len()])| {
+        let curve = |(integrator, entries): (integrators::Entry, &[Entry; SIZES.len()])| {
             let points = entries[..sizes].iter().filter_map(|entry| {
                 let [error, its_error] = root(&entry.square);
                 (error > 0.0).then(|| (cost(entry), error, its_error))
             });
-            Curve::measured(named.name(), Style::MarksAndLine, points)
+            Curve::measured(integrator.name, Style::MarksAndLine, points)
         };
-        Named::ALL.into_iter().zip(entries).map(curve).collect()
+        LADDER.into_iter().zip(entries).map(curve).collect()
     };
     let chart = |x_label: &str, curves| CurveChart {
         title: "Every integrator in the final room".to_owned(),

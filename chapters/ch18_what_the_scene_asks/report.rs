@@ -5,7 +5,7 @@ use halfdisk::desk::{Desk, DeskError};
 use halfdisk::effects::language::{Class, of_scene, out_of_reach};
 use halfdisk::effects::plan;
 use halfdisk::effects::words::words;
-use halfdisk::integrators::{Named, Path, Restricted};
+use halfdisk::integrators::{Kajiya, Path, Restricted};
 use halfdisk::render::{Options, render};
 use halfdisk::scene::description::{Color, Description, Object};
 use halfdisk::scene::read::Source;
@@ -61,7 +61,7 @@ pub fn point_through_glass(desk: &mut Desk) -> Result<u64, DeskError> {
         f64::from(u8::from(shares)),
     );
     // Walks that meet lamps by chance read 0 everywhere, and the others agree without it.
-    let kajiya = render(&scene, &Named::Kajiya.with(12), &options, &());
+    let kajiya = render(&scene, &Kajiya { max_depth: 12 }, &options, &());
     rays += kajiya.rays.total();
     let says = "point through glass: the brightest pixel of kajiya";
     desk.known("point_kajiya", says, kajiya.film.max(), 0.0);

@@ -4,7 +4,7 @@ use super::{Stop, answer, stem};
 use crate::desk::{Bar, on_ctrl_c, tell, whole};
 use crate::effects::language::{self, Class, Finds, finds};
 use crate::effects::words::{Words, words_watched};
-use crate::integrators::{Integrator, Named, Path, Restricted};
+use crate::integrators::{Entry, Integrator, LADDER, Path, Restricted};
 use crate::notation::Word;
 use crate::numeric::count;
 use crate::output::{self, Display, Provenance};
@@ -100,7 +100,7 @@ impl Classify {
         let save = |films: &[&Film]| {
             output::write_somewhere(&strip, &Film::beside(films), Display::Radiance, &facts)
         };
-        let there = |class: &Class| finds(Named::Path, *class, &scene.inventory) != Finds::Absent;
+        let there = |class: &Class| finds(&Path::ENTRY, *class, &scene.inventory) != Finds::Absent;
         let classes: Vec<Class> = Class::ALL.into_iter().filter(there).collect();
         let (sorted, complete) = render(&scene, &classes, path, &options);
         let films: Vec<&Film> = sorted.iter().map(|s| &s.film).collect();
@@ -238,41 +238,41 @@ fn describe_classes(scene: &Scene, sorted: &[Sorted]) -> String {
     text += &format!(
         "\n{:<25} {}\n",
         "found by",
-        Named::ALL.map(Named::name).join("  ")
+        LADDER.map(|entry| entry.name).join("  ")
     );
     for Sorted { class, .. } in sorted {
         text += &format!("{:<26}", class.text());
-        for named in Named::ALL {
-            let mark = match finds(named, *class, &scene.inventory) {
+        for entry in LADDER {
+            let mark = match finds(&entry, *class, &scene.inventory) {
                 Finds::All => "all",
                 Finds::Part => "part",
                 Finds::Nothing | Finds::Absent => "-",
             };
-            text += &format!("{mark:<width$}", width = named.name().len() + 2);
+            text += &format!("{mark:<width$}", width = entry.name.len() + 2);
         }
         text = text.trim_end().to_owned() + "\n";
     }
-    let missed: Vec<String> = Named::ALL
+    let missed: Vec<String> = LADDER
         .iter()
-        .filter_map(|&named| missing(named, scene))
+        .filter_map(|entry| missing(entry, scene))
         .collect();
     text + &missed.concat()
 }
 
 /// The first words an integrator misses of the light of lamps with extent.
-fn missing(named: Named, scene: &Scene) -> Option<String> {
-    let all = language::of_scene(&scene.inventory)?;
+fn missing(entry: &Entry, scene: &Scene) -> Option<String> {
+    let (all, finds) = (language::of_scene(&scene.inventory)?, entry.finds()?);
     let found = if scene.inventory.light_can_be_met() {
-        language::of_lamps(named)
+        finds.lamps
     } else {
-        language::of_points(named)
+        finds.points
     };
-    let Some(found) = found else {
-        return Some(format!("{} misses all of it\n", named.name()));
+    let Some(found) = language::paths(&found) else {
+        return Some(format!("{} misses all of it\n", entry.name));
     };
     let missing = all.light_first().difference(found.light_first());
     let words: Vec<String> = missing.shortest(6).iter().map(Word::to_string).collect();
-    (!words.is_empty()).then(|| format!("{} misses {} …\n", named.name(), words.join(", ")))
+    (!words.is_empty()).then(|| format!("{} misses {} …\n", entry.name, words.join(", ")))
 }
 
 /// What is known of some classes alone: not which share of the light they are.
@@ -313,11 +313,11 @@ fn as_json(
         .iter()
         .map(|Sorted { class, film }| {
             let (mean, error) = film.mean();
-            let found_by: serde_json::Map<String, serde_json::Value> = Named::ALL
+            let found_by: serde_json::Map<String, serde_json::Value> = LADDER
                 .iter()
-                .map(|&named| {
-                    let finds = finds(named, *class, &scene.inventory);
-                    (named.name().to_owned(), json!(finds))
+                .map(|entry| {
+                    let finds = finds(entry, *class, &scene.inventory);
+                    (entry.name.to_owned(), json!(finds))
                 })
                 .collect();
             json!({

@@ -6,7 +6,7 @@ use crate::effects::language::Wanted;
 use crate::effects::measure::Difference;
 use crate::effects::missed::{Missed, missed, unmet};
 use crate::effects::plan::{Demand, demand, plan};
-use crate::integrators::Named;
+use crate::integrators::Entry;
 use crate::render::Rendered;
 use crate::scene::Scene;
 use serde_json::{Value, json};
@@ -14,7 +14,7 @@ use serde_json::{Value, json};
 /// What a picture of a scene by an integrator lacks.
 #[derive(Debug)]
 pub(super) struct LeftOut {
-    named: Named,
+    integrator: Entry,
     missed: Vec<Missed>,
     on_purpose: Option<Demand>,
     /// Lamps that no sample has met, and all that might have been.
@@ -22,11 +22,11 @@ pub(super) struct LeftOut {
 }
 
 impl LeftOut {
-    pub fn new(scene: &Scene, named: Named, wanted: Option<&Wanted>) -> Self {
+    pub fn new(scene: &Scene, integrator: Entry, wanted: Option<&Wanted>) -> Self {
         let language = wanted.map(|wanted| &wanted.light_first);
         LeftOut {
-            named,
-            missed: missed(named, &scene.inventory, language),
+            integrator,
+            missed: missed(&integrator, &scene.inventory, language),
             on_purpose: language
                 .and_then(|language| demand(&scene.inventory, language))
                 .filter(|demand| !demand.all),
@@ -37,7 +37,7 @@ impl LeftOut {
     /// What to say before the work, for people.
     pub fn notes(&self, scene: &Scene) -> String {
         let mut text = String::new();
-        let name = self.named.name();
+        let name = self.integrator.name;
         for Missed {
             light_of,
             words,
@@ -58,12 +58,12 @@ impl LeftOut {
 
     /// The integrator, where it cannot find all that is wanted.
     pub fn finder(&self) -> Option<&'static str> {
-        (!self.missed.is_empty()).then(|| self.named.name())
+        (!self.missed.is_empty()).then(|| self.integrator.name)
     }
 
     /// What is not in the error of the picture, in words; `None` where everything is.
     pub fn unknown(&self) -> Option<String> {
-        let name = self.named.name();
+        let name = self.integrator.name;
         let words = self.words();
         if !words.is_empty() {
             Some(format!("{name} leaves out {} …", words.join(", ")))
@@ -76,7 +76,7 @@ impl LeftOut {
 
     /// What is found out when the picture is finished: the lamps that a walk has met.
     pub fn see(&mut self, scene: &Scene, rendered: &Rendered) {
-        self.unmet = unmet(self.named, scene, rendered.lamps_met);
+        self.unmet = unmet(&self.integrator, scene, rendered.lamps_met);
     }
 
     /// What to say of lamps that no sample has met; nothing where there are none.
@@ -91,7 +91,7 @@ impl LeftOut {
     }
 
     fn not_met(&self) -> String {
-        let ([unmet, all], name) = (self.unmet, self.named.name());
+        let ([unmet, all], name) = (self.unmet, self.integrator.name);
         format!("no sample of {name} has met {unmet} of {all} lamps")
     }
 
@@ -112,7 +112,7 @@ impl LeftOut {
 
     /// Why a picture is black, for people.
     pub fn why_black(&self, scene: &Scene, max_depth: u32) -> String {
-        let why = why_black(scene, self.named, max_depth);
+        let why = why_black(scene, &self.integrator, max_depth);
         match self.on_purpose {
             Some(_) if !scene.is_dark() => {
                 format!("no light came by the paths that are asked for; {why}")
@@ -127,7 +127,7 @@ impl LeftOut {
             return Value::Null;
         }
         let mut object = json!({
-            "integrator": self.named.name(),
+            "integrator": self.integrator.name,
             "words": self.words(),
             "lights": self.missed,
             "on_purpose": self.on_purpose.as_ref().map(|demand| &demand.left_out),

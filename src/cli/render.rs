@@ -9,14 +9,15 @@ use super::{Stop, answer, stem, use_threads};
 use crate::desk::{Bar, on_ctrl_c, tell, whole};
 use crate::effects::measure::Setup;
 use crate::integrators::{
-    Albedo, Depth, Integrator, Named, Normals, Path as PathTracer, RarelyAsked, Restricted,
-    Whitted, rarely_asked,
+    self, Entry, Integrator, LADDER, Path as PathTracer, RarelyAsked, Restricted, Shows, VIEWS,
+    rarely_asked,
 };
 use crate::output::{self, Display, Provenance};
 use crate::render::target::{Outcome, render_to};
 use crate::render::{self, Options, Rendered};
 use crate::sampling::stream::Sampler;
 use crate::scene::{Scene, build::film_size, field::Field};
+use clap::builder::{PossibleValue, PossibleValuesParser, TypedValueParser};
 use clap::{Args, ValueEnum};
 use serde_json::json;
 use std::path::PathBuf;
@@ -31,8 +32,8 @@ pub struct Render {
     /// A scene of the gallery (see `halfdisk scenes`), or a path to a .toml file
     scene: String,
     /// How light is computed
-    #[arg(long, value_enum, default_value_t = Method::Path)]
-    integrator: Method,
+    #[arg(long, value_name = "NAME", default_value = PathTracer::ENTRY.name, value_parser = by_name())]
+    integrator: Entry,
     #[command(flatten)]
     ending: Ending,
     /// Longest path in segments: the camera ray is the first, the one to the light the last
@@ -86,35 +87,6 @@ Examples:
   halfdisk render mine.toml --spp 4 --json --quiet
       a first look, and the facts for a program";
 
-/// The integrators by name.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
-enum Method {
-    /// Path tracing with everything: shadow rays, both techniques weighted, roulette; all
-    /// materials, lamps and cameras
-    Path,
-    /// Shadow, mirror and glass rays; no light between diffuse surfaces
-    Whitted,
-    /// A random walk, all paths L(S|D)*E; finds lamps and sky by chance only, and point and
-    /// directional lights never
-    Kajiya,
-    /// The same walk with a shadow ray to each lamp at diffuse surfaces: the same light with less
-    /// noise; of point and directional lights LD(S|D)*E
-    NextEvent,
-    /// A shadow ray to each lamp and one ray that is diffuse or specular or transmitted, chosen by
-    /// the shares of a mixture: the light of next-event
-    WhichRay,
-    /// The same with both techniques weighted: aiming at every lamp, and finding it by chance
-    Combine,
-    /// The random walk of kajiya without a longest path: it ends by Russian roulette
-    Roulette,
-    /// Debugging view: the normal at the first hit, as colour
-    Normals,
-    /// Debugging view: the share of light the first hit sends back
-    Albedo,
-    /// Debugging view: the distance to the first hit (white is the farthest)
-    Depth,
-}
-
 /// The samplers by name.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
 enum Points {
@@ -123,6 +95,14 @@ enum Points {
     /// Owen-scrambled Sobol' points in runs of up to 64: evenly spread, so the error is smaller; the
     /// scatter of the runs tells it; best with 16, 32 or a multiple of 64 samples per pixel
     Sobol,
+}
+
+/// Reads the name of an integrator.
+fn by_name() -> impl TypedValueParser<Value = Entry> {
+    let all = LADDER.iter().rev().chain(&VIEWS);
+    let values = all.map(|entry| PossibleValue::new(entry.name).help(entry.help));
+    PossibleValuesParser::new(values)
+        .try_map(|name| integrators::find(&name).ok_or("there is no such integrator"))
 }
 
 pub(super) fn size(text: &str) -> Result<[u32; 2], String> {
@@ -144,19 +124,19 @@ impl Render {
                 description.film.size = size.map(i64::from);
             }
         })?;
-        if wanted.is_some() && self.integrator != Method::Path {
+        if wanted.is_some() && self.integrator != PathTracer::ENTRY {
             return Err(Stop::Input(format!(
                 "--integrator {}: only `path` knows which paths it follows, and can leave some out",
-                self.integrator.name()
+                self.integrator.name
             )));
         }
         if self.all_effects {
             scene = scene.with_all_effects();
         }
-        if self.all_effects && self.integrator != Method::Path {
+        if self.all_effects && self.integrator != PathTracer::ENTRY {
             return Err(Stop::Input(format!(
                 "--all-effects: only `path` leaves out what a scene lacks, not `{}`",
-                self.integrator.name()
+                self.integrator.name
             )));
         }
         let max_depth = self.max_depth(&scene)?;
@@ -167,25 +147,20 @@ impl Render {
 
         let mut left_out = self
             .integrator
-            .named()
-            .map(|named| LeftOut::new(&scene, named, wanted.as_ref()));
+            .finds()
+            .map(|_| LeftOut::new(&scene, self.integrator, wanted.as_ref()));
         if !self.quiet
             && let Some(left_out) = &left_out
         {
             tell(left_out.notes(&scene));
         }
-        let outcome = match (self.integrator, self.integrator.named()) {
-            (Method::Normals, _) => self.with(&scene, &Normals),
-            (Method::Albedo, _) => self.with(&scene, &Albedo),
-            (Method::Depth, _) => self.with(&scene, &Depth),
-            (_, named) => match &wanted {
-                None => self.with(&scene, &named.unwrap_or(Named::Path).with(max_depth)),
-                Some(wanted) => {
-                    let path = PathTracer::new(max_depth);
-                    let paths = &wanted.eye_first;
-                    self.with(&scene, &Restricted { path, paths })
-                }
-            },
+        let outcome = match &wanted {
+            None => self.with(&scene, &self.integrator.with(max_depth)),
+            Some(wanted) => {
+                let path = PathTracer::new(max_depth);
+                let paths = &wanted.eye_first;
+                self.with(&scene, &Restricted { path, paths })
+            }
         };
         let rendered = &outcome.rendered;
         if rendered.interrupted && rendered.film.pixels().iter().all(|p| p.count() == 0) {
@@ -193,17 +168,16 @@ impl Render {
             return Err(Stop::Interrupted);
         }
         left_out.iter_mut().for_each(|l| l.see(&scene, rendered));
-        let display = match self.integrator {
-            Method::Normals | Method::Albedo => Display::Data { white: 1.0 },
-            Method::Depth => Display::Data {
-                white: rendered.film.max(),
+        let display = match self.integrator.shows {
+            Shows::Light(_) => Display::Radiance,
+            Shows::Geometry { white } => Display::Data {
+                white: white.unwrap_or_else(|| rendered.film.max()),
             },
-            _ => Display::Radiance,
         };
         let (spp, seed) = (u64::from(outcome.spp), outcome.seed);
         let facts = Provenance {
             sampler: self.sampler(),
-            ..Provenance::new(&scene, &self.integrator.name(), max_depth, spp, seed)
+            ..Provenance::new(&scene, self.integrator.name, max_depth, spp, seed)
         };
         // All files first: what follows is for people, or may fail.
         let kept = output::write_somewhere(&path, &rendered.film, display, &facts)?;
@@ -297,18 +271,18 @@ impl Render {
         max_depth: u32,
     ) -> Option<RarelyAsked> {
         let samples = rendered.film.pixels().iter().map(|p| p.count()).sum();
-        match self.integrator {
-            Method::Path => rarely_asked(scene, max_depth, samples),
-            _ => None,
-        }
+        let aims_at_one = self.integrator == PathTracer::ENTRY;
+        aims_at_one.then(|| rarely_asked(scene, max_depth, samples))?
     }
 
     /// Pixels that show more light than there can be.
     fn too_bright(&self, scene: &Scene, rendered: &Rendered, max_depth: u32) -> usize {
-        let longest = match self.integrator {
-            Method::Normals | Method::Albedo | Method::Depth => return 0,
-            Method::Roulette => u32::MAX,
-            _ => max_depth,
+        if self.integrator.finds().is_none() {
+            return 0;
+        }
+        let longest = match self.integrator.is_endless {
+            true => u32::MAX,
+            false => max_depth,
         };
         let bound = scene.brightest(longest);
         bound.map_or(0, |bound| render::too_bright(&rendered.film, bound))
@@ -318,8 +292,8 @@ impl Render {
     fn path(&self) -> PathBuf {
         self.out.clone().unwrap_or_else(|| {
             let mut name = stem(&self.scene);
-            if self.integrator != Method::Path {
-                name += &format!("-{}", self.integrator.name());
+            if self.integrator != PathTracer::ENTRY {
+                name += &format!("-{}", self.integrator.name);
             }
             name += &self.demand.suffix();
             PathBuf::from("out").join(name + ".png")
@@ -327,47 +301,21 @@ impl Render {
     }
 
     fn sampler(&self) -> Sampler {
-        match (self.sampler, self.integrator) {
-            (Some(Points::Sobol), _) | (None, Method::Path) => Sampler::Sobol,
+        match self.sampler {
+            Some(Points::Sobol) => Sampler::Sobol,
+            None if self.integrator == PathTracer::ENTRY => Sampler::Sobol,
             _ => Sampler::Independent,
         }
     }
 
     fn max_depth(&self, scene: &Scene) -> Result<u32, Stop> {
+        let Entry { name, longest, .. } = self.integrator;
         match self.max_depth {
-            Some(depth) if self.integrator == Method::Whitted && depth > Whitted::MAX_DEPTH => {
-                Err(Stop::Input(format!(
-                    "--max-depth {depth}: the tree of `whitted` may double with each segment, \
-                     so it ends at {} at the latest",
-                    Whitted::MAX_DEPTH
-                )))
-            }
+            Some(depth) if depth > longest => Err(Stop::Input(format!(
+                "--max-depth {depth}: the paths of `{name}` end after {longest} segments at the latest"
+            ))),
             Some(depth) => Ok(depth),
-            None if self.integrator == Method::Whitted => {
-                Ok(scene.suggested.max_depth.min(Whitted::MAX_DEPTH))
-            }
-            None => Ok(scene.suggested.max_depth),
+            None => Ok(scene.suggested.max_depth.min(longest)),
         }
-    }
-}
-
-impl Method {
-    /// The integrator of that name; `None` for views of something else than light.
-    fn named(self) -> Option<Named> {
-        match self {
-            Method::Path => Some(Named::Path),
-            Method::Whitted => Some(Named::Whitted),
-            Method::Kajiya => Some(Named::Kajiya),
-            Method::NextEvent => Some(Named::NextEvent),
-            Method::WhichRay => Some(Named::WhichRay),
-            Method::Combine => Some(Named::Combine),
-            Method::Roulette => Some(Named::Roulette),
-            Method::Normals | Method::Albedo | Method::Depth => None,
-        }
-    }
-
-    fn name(self) -> String {
-        self.to_possible_value()
-            .map_or_else(String::new, |v| v.get_name().to_owned())
     }
 }

@@ -1,7 +1,7 @@
 //! Why a picture is black.
 
 use super::missed::misses_everything;
-use crate::integrators::{Named, walkable::SolidPoint, walkable::Walkable};
+use crate::integrators::{Entry, walkable::SolidPoint, walkable::Walkable};
 use crate::render::{Options, camera_sample};
 use crate::scene::{Scene, Sky, Tracer};
 use crate::space::Ray;
@@ -42,14 +42,14 @@ struct Seen {
 /// Why no sample of a picture has any light, in a sentence, as far as some walks through the scene tell.
 ///
 /// * `max_depth`: the longest path in segments.
-pub fn why_black(scene: &Scene, named: Named, max_depth: u32) -> String {
+pub fn why_black(scene: &Scene, entry: &Entry, max_depth: u32) -> String {
     let has = &scene.inventory;
     if has.is_dark() {
         return "there is no light in the scene: nothing emits, and there is no background"
             .to_owned();
     }
-    if misses_everything(named, has) {
-        let name = named.name();
+    if misses_everything(entry, has) {
+        let name = entry.name;
         return format!("{name} cannot find the light of any lamp of this scene");
     }
     let seen = look(scene);
@@ -79,7 +79,7 @@ pub fn why_black(scene: &Scene, named: Named, max_depth: u32) -> String {
     } else if seen.lit == 0 {
         "no lamp reaches what the camera sees: surfaces stand between"
     } else {
-        let name = named.name();
+        let name = entry.name;
         return format!(
             "lamps shine on what the camera sees, but no sample of {name} found one: they are too small \
              or too hidden for so few samples"

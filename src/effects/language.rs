@@ -1,6 +1,6 @@
 //! Light paths of a scene, of an integrator and of a class, as expressions.
 
-use crate::integrators::Named;
+use crate::integrators::{Entry, Found};
 use crate::notation::{Expression, Language};
 use crate::scene::{Effect, Effects, Inventory, Sky};
 
@@ -181,37 +181,74 @@ pub enum Finds {
     All,
 }
 
-/// What an integrator finds of a class of light in a scene.
-pub fn finds(integrator: Named, class: Class, inventory: &Inventory) -> Finds {
-    let Some(scene) = of_scene(inventory) else {
-        return Finds::Absent;
+/// The light of one kind of source in a scene, and what an integrator finds of it.
+pub(super) struct OfSource {
+    /// Whose light it is.
+    pub name: &'static str,
+    /// Its paths in the scene.
+    pub there_are: Language,
+    /// Those that the integrator finds; `None` for none.
+    pub found: Option<Expression>,
+    /// Why it finds no others.
+    pub because: &'static str,
+}
+
+/// The light of a scene by its sources; none of an integrator that shows something else.
+pub(super) fn by_source(integrator: &Entry, inventory: &Inventory) -> Vec<OfSource> {
+    let (Some(scene), Some(finds)) = (of_scene(inventory), integrator.finds()) else {
+        return Vec::new();
     };
-    let here = scene
-        .light_first()
-        .intersection(class.expression().light_first());
-    // Light of lamps, of points and of the sky is found in different ways.
-    let point = known("L(D|S|G)*(D|G)(D|S|G)*E");
-    let kinds = [
-        (inventory.area_lights > 0, of_lamps(integrator), None),
-        (inventory.sky == Sky::Image, of_lamps(integrator), None),
-        (inventory.sky == Sky::Constant, of_sky(integrator), None),
+    // A light without extent is seen only where a rough surface shows it.
+    let of_points = known("L(D|S|G)*(D|G)(D|S|G)*E");
+    let of_points = of_points.light_first().intersection(scene.light_first());
+    let of_others = scene.light_first();
+    let points = "point and directional lights";
+    [
+        (inventory.area_lights > 0, "lamps", of_others, finds.lamps),
         (
-            inventory.point_lights > 0,
-            of_points(integrator),
-            Some(point.light_first()),
+            inventory.sky == Sky::Image,
+            "the sky",
+            of_others,
+            finds.image,
         ),
-    ];
-    let answers =
-        kinds
-            .iter()
-            .filter(|(present, ..)| *present)
-            .filter_map(|(_, found, there_are)| {
-                let all = match there_are {
-                    Some(words) => here.intersection(words),
-                    None => here.clone(),
-                };
-                (!all.is_empty()).then(|| share(found.as_ref(), &all))
-            });
+        (
+            inventory.sky == Sky::Constant,
+            "the sky",
+            of_others,
+            finds.sky,
+        ),
+        (inventory.point_lights > 0, points, &of_points, finds.points),
+    ]
+    .into_iter()
+    .filter(|(present, ..)| *present)
+    .map(|(_, name, there_are, found)| OfSource {
+        name,
+        there_are: there_are.clone(),
+        found: paths(&found),
+        because: found.because,
+    })
+    .collect()
+}
+
+/// The paths that an integrator finds, as an expression; `None` for none.
+pub fn paths(found: &Found) -> Option<Expression> {
+    found.paths.map(known)
+}
+
+/// The paths that an integrator finds of lamps with extent; `None` for none.
+pub fn of_lamps(integrator: &Entry) -> Option<Expression> {
+    integrator.finds().and_then(|finds| paths(&finds.lamps))
+}
+
+/// What an integrator finds of a class of light in a scene.
+pub fn finds(integrator: &Entry, class: Class, inventory: &Inventory) -> Finds {
+    let class = class.expression();
+    let answers = by_source(integrator, inventory)
+        .into_iter()
+        .filter_map(|source| {
+            let all = source.there_are.intersection(class.light_first());
+            (!all.is_empty()).then(|| share(source.found.as_ref(), &all))
+        });
     answers
         .reduce(|a, b| if a == b { a } else { Finds::Part })
         .unwrap_or(Finds::Absent)
@@ -225,36 +262,10 @@ fn share(found: Option<&Expression>, all: &Language) -> Finds {
     }
 }
 
-/// The paths an integrator finds from lamps with extent and from an image around the scene.
-pub fn of_lamps(integrator: Named) -> Option<Expression> {
-    Some(match integrator {
-        Named::Whitted => known("L(D|G)?S*E"),
-        _ => everything(),
-    })
-}
-
-/// The same from a background of one colour.
-pub fn of_sky(integrator: Named) -> Option<Expression> {
-    Some(match integrator {
-        Named::Whitted => known("LS*E"),
-        _ => everything(),
-    })
-}
-
-/// The same from points and directions; `None` where there are none.
-pub fn of_points(integrator: Named) -> Option<Expression> {
-    match integrator {
-        Named::Whitted => Some(known("L(D|G)S*E")),
-        Named::Kajiya | Named::Roulette => None,
-        Named::WhichRay | Named::NextEvent | Named::Combine | Named::Path => {
-            Some(known("L(D|G)(D|S|G)*E"))
-        }
-    }
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::integrators::{Kajiya, LADDER, Path, Whitted};
 
     #[test]
     fn every_path_is_in_exactly_one_class() {
@@ -315,6 +326,24 @@ mod tests {
     }
 
     #[test]
+    fn the_table_states_paths_there_are_and_why_others_are_missing() {
+        for entry in LADDER {
+            let finds = entry.finds().unwrap();
+            for found in [finds.lamps, finds.image, finds.sky, finds.points] {
+                let all = everything();
+                let lacks = match paths(&found) {
+                    Some(some) => {
+                        assert!(all.light_first().includes(some.light_first()));
+                        !some.light_first().includes(all.light_first())
+                    }
+                    None => true,
+                };
+                assert_eq!(lacks, !found.because.is_empty(), "{}", entry.name);
+            }
+        }
+    }
+
+    #[test]
     fn what_integrators_find() {
         let room = Inventory {
             area_lights: 1,
@@ -323,7 +352,7 @@ mod tests {
             scattering: 6,
             ..Inventory::default()
         };
-        let whitted = Class::ALL.map(|class| finds(Named::Whitted, class, &room));
+        let whitted = Class::ALL.map(|class| finds(&Whitted::ENTRY, class, &room));
         use Finds::*;
         assert_eq!(whitted, [All, All, All, All, Nothing, Nothing]);
         let point = Inventory {
@@ -331,15 +360,15 @@ mod tests {
             point_lights: 1,
             ..room
         };
-        let path = Class::ALL.map(|class| finds(Named::Path, class, &point));
+        let path = Class::ALL.map(|class| finds(&Path::ENTRY, class, &point));
         assert_eq!(path, [Absent, Absent, All, All, All, Nothing]);
-        let kajiya = Class::ALL.map(|class| finds(Named::Kajiya, class, &point));
+        let kajiya = Class::ALL.map(|class| finds(&Kajiya::ENTRY, class, &point));
         assert_eq!(kajiya, [Absent, Absent, Nothing, Nothing, Nothing, Nothing]);
         let both = Inventory {
             area_lights: 1,
             ..point
         };
-        assert_eq!(finds(Named::Path, Class::Caustic, &both), Part);
-        assert_eq!(finds(Named::Path, Class::Bleeding, &both), All);
+        assert_eq!(finds(&Path::ENTRY, Class::Caustic, &both), Part);
+        assert_eq!(finds(&Path::ENTRY, Class::Bleeding, &both), All);
     }
 }

@@ -13,6 +13,7 @@
 //! (SIGGRAPH 1995).
 
 use super::walkable::Walkable;
+use super::{Entry, Finds};
 use crate::color::Rgb;
 use crate::sampling::mis::Heuristic;
 use crate::sampling::stream::Stream;
@@ -35,6 +36,24 @@ pub struct Shares {
     pub by_chance: Rgb,
     /// Light found by aiming at lamps, weighted.
     pub by_aiming: Rgb,
+}
+
+impl Combine {
+    /// Its row of the table, by the power heuristic.
+    pub const ENTRY: Entry = Entry::of_light(
+        [
+            "combine",
+            "lamps found both ways, weighted",
+            "The same with both techniques weighted: aiming at every lamp, and finding it by chance",
+        ],
+        Finds::BY_AIMING,
+        |max_depth| {
+            Box::new(Combine {
+                max_depth,
+                heuristic: Heuristic::Power,
+            })
+        },
+    );
 }
 
 impl Combine {

@@ -12,6 +12,7 @@
 //! are the next stage, `next_event`.
 
 use super::walkable::Walkable;
+use super::{Entry, Finds};
 use crate::color::Rgb;
 use crate::sampling::stream::Stream;
 use crate::space::{Ray, Space};
@@ -22,6 +23,20 @@ pub struct Kajiya {
     /// Longest path in segments: the camera ray is the first, the one that hits a lamp or leaves
     /// the scene the last.
     pub max_depth: u32,
+}
+
+impl Kajiya {
+    /// Its row of the table.
+    pub const ENTRY: Entry = Entry::of_light(
+        [
+            "kajiya",
+            "a random walk that finds lamps by chance",
+            "A random walk, all paths L(S|D)*E; finds lamps and sky by chance only, and point and \
+             directional lights never",
+        ],
+        Finds::BY_CHANCE,
+        |max_depth| Box::new(Kajiya { max_depth }),
+    );
 }
 
 impl Kajiya {

@@ -18,9 +18,9 @@
 mod asked;
 mod combine;
 mod distributed;
+mod entry;
 mod follow;
 mod kajiya;
-mod named;
 mod next_event;
 mod onward;
 mod path;
@@ -34,9 +34,9 @@ mod whitted;
 pub use asked::{ENOUGH, RarelyAsked, rarely_asked};
 pub use combine::{Combine, Shares};
 pub use distributed::{Distributed, Integral};
+pub use entry::{Entry, Finds, Found, Shows};
 pub use follow::{Everything, Follow, OnlyPaths, Restricted};
 pub use kajiya::Kajiya;
-pub use named::{Chosen, Named};
 pub use next_event::NextEvent;
 pub use path::Path;
 pub use roulette::{Roulette, Survival};
@@ -51,6 +51,26 @@ use crate::sampling::stream::Stream;
 use crate::scene::Tracer;
 use crate::space::Solid;
 
+/// The integrators of light that one can ask for by name, in the order of the ladder.
+pub const LADDER: [Entry; 7] = [
+    Whitted::ENTRY,
+    Kajiya::ENTRY,
+    WhichRay::ENTRY,
+    Roulette::ENTRY,
+    NextEvent::ENTRY,
+    Combine::ENTRY,
+    Path::ENTRY,
+];
+
+/// Pictures of the geometry that one can ask for by name.
+pub const VIEWS: [Entry; 3] = [Normals::ENTRY, Albedo::ENTRY, Depth::ENTRY];
+
+/// The integrator of this name.
+pub fn find(name: &str) -> Option<Entry> {
+    let mut all = LADDER.into_iter().chain(VIEWS);
+    all.find(|entry| entry.name == name)
+}
+
 /// An estimate of the light along a camera ray.
 pub trait Integrator: Sync {
     /// One sample of the radiance that arrives along `ray`, in W/(m² sr).
@@ -58,6 +78,12 @@ pub trait Integrator: Sync {
     /// A pure function of its arguments: all randomness comes from `stream`, all rays go through
     /// `tracer`.
     fn li(&self, tracer: &mut Tracer, ray: &Ray, stream: &Stream) -> Rgb;
+}
+
+impl<I: Integrator + ?Sized> Integrator for Box<I> {
+    fn li(&self, tracer: &mut Tracer, ray: &Ray, stream: &Stream) -> Rgb {
+        (**self).li(tracer, ray, stream)
+    }
 }
 
 impl Integrator for Kajiya {

@@ -21,6 +21,7 @@
 //! Techniques for Direct Lighting Calculations (TOG 15(1), 1996).
 
 use super::walkable::{Walkable, ask_all};
+use super::{Entry, Finds};
 use crate::color::Rgb;
 use crate::sampling::stream::Stream;
 use crate::space::{Ray, Space};
@@ -31,6 +32,20 @@ pub struct NextEvent {
     /// Longest path in segments: the camera ray is the first, the shadow ray, or the ray that hits
     /// a lamp or leaves the scene, the last.
     pub max_depth: u32,
+}
+
+impl NextEvent {
+    /// Its row of the table.
+    pub const ENTRY: Entry = Entry::of_light(
+        [
+            "next-event",
+            "the walk, and a shadow ray to each lamp",
+            "The same walk with a shadow ray to each lamp at diffuse surfaces: the same light with less \
+             noise; of point and directional lights LD(S|D)*E",
+        ],
+        Finds::BY_AIMING,
+        |max_depth| Box::new(NextEvent { max_depth }),
+    );
 }
 
 impl NextEvent {

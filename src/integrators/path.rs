@@ -16,10 +16,10 @@
 //! Rendering (SIGGRAPH 1995); Jensen, Global Illumination Using Photon Maps (Rendering Techniques
 //! 1996), "Projection maps", for looking where light is focused.
 
-use super::Integrator;
 use super::follow::{Everything, Follow};
 use super::onward::Onward;
 use super::walkable::SolidPoint;
+use super::{Entry, Finds, Integrator};
 use crate::color::Rgb;
 use crate::geometry::{Ray, Surface};
 use crate::lights::Incident;
@@ -47,6 +47,18 @@ type Drawn = Option<(Surface, f32)>;
 const LEAST_SURVIVAL: f32 = 0.05;
 
 impl Path {
+    /// Its row of the table.
+    pub const ENTRY: Entry = Entry::of_light(
+        [
+            "path",
+            "all of it: one lamp, weighted, roulette",
+            "Path tracing with everything: shadow rays, both techniques weighted, roulette; all \
+             materials, lamps and cameras",
+        ],
+        Finds::BY_AIMING,
+        |max_depth| Box::new(Path::new(max_depth)),
+    );
+
     /// A path tracer whose roulette starts with the fifth segment.
     pub fn new(max_depth: u32) -> Self {
         Path {

@@ -10,6 +10,7 @@
 //! Source: Arvo, Kirk, Particle Transport and Image Synthesis (SIGGRAPH 1990), "Russian roulette".
 
 use super::walkable::Walkable;
+use super::{Entry, Finds};
 use crate::color::Rgb;
 use crate::sampling::stream::{Purpose, Stream};
 use crate::space::{Ray, Space};
@@ -40,6 +41,26 @@ impl Survival {
             Survival::Throughput(least) => beta.max_channel().clamp(least, 0.95),
         }
     }
+}
+
+impl Roulette {
+    /// Its row of the table.
+    pub const ENTRY: Entry = Entry {
+        is_endless: true,
+        ..Entry::of_light(
+            [
+                "roulette",
+                "kajiya without a longest path: it ends by chance",
+                "The random walk of kajiya without a longest path: it ends by Russian roulette",
+            ],
+            Finds::BY_CHANCE,
+            |_| {
+                Box::new(Roulette {
+                    survival: Survival::Throughput(0.05),
+                })
+            },
+        )
+    };
 }
 
 impl Roulette {

@@ -1,7 +1,7 @@
 //! Pictures of the scene's geometry instead of its light: the first thing to look at when a
 //! picture is wrong.
 
-use super::Integrator;
+use super::{Entry, Integrator};
 use crate::color::Rgb;
 use crate::geometry::Ray;
 use crate::materials::Material;
@@ -13,6 +13,19 @@ use crate::scene::Tracer;
 /// Normals are those of the shape's front, so a wall that faces away shows at once.
 #[derive(Clone, Copy, Debug)]
 pub struct Normals;
+
+impl Normals {
+    /// Its row of the table.
+    pub const ENTRY: Entry = Entry::of_geometry(
+        [
+            "normals",
+            "the normal at the first hit",
+            "Debugging view: the normal at the first hit, as colour",
+        ],
+        Some(1.0),
+        |_| Box::new(Normals),
+    );
+}
 
 impl Integrator for Normals {
     fn li(&self, tracer: &mut Tracer, ray: &Ray, _: &Stream) -> Rgb {
@@ -27,6 +40,19 @@ impl Integrator for Normals {
 #[derive(Clone, Copy, Debug)]
 pub struct Albedo;
 
+impl Albedo {
+    /// Its row of the table.
+    pub const ENTRY: Entry = Entry::of_geometry(
+        [
+            "albedo",
+            "the share of light the first hit sends back",
+            "Debugging view: the share of light the first hit sends back",
+        ],
+        Some(1.0),
+        |_| Box::new(Albedo),
+    );
+}
+
 impl Integrator for Albedo {
     fn li(&self, tracer: &mut Tracer, ray: &Ray, _: &Stream) -> Rgb {
         tracer
@@ -39,6 +65,19 @@ impl Integrator for Albedo {
 /// The distance to the first hit in scene units; 0 where there is nothing.
 #[derive(Clone, Copy, Debug)]
 pub struct Depth;
+
+impl Depth {
+    /// Its row of the table.
+    pub const ENTRY: Entry = Entry::of_geometry(
+        [
+            "depth",
+            "the distance to the first hit",
+            "Debugging view: the distance to the first hit (white is the farthest)",
+        ],
+        None,
+        |_| Box::new(Depth),
+    );
+}
 
 impl Integrator for Depth {
     fn li(&self, tracer: &mut Tracer, ray: &Ray, _: &Stream) -> Rgb {

@@ -15,8 +15,8 @@
 //! Willems, Using the Modified Phong Reflectance Model for Physically Based Rendering (Report CW 197,
 //! KU Leuven 1994), section 4, for the weight.
 
-use super::Integrator;
 use super::walkable::{SolidPoint, Walkable, ask_all};
+use super::{Entry, Finds, Integrator};
 use crate::color::Rgb;
 use crate::geometry;
 use crate::materials::{Choice, Material, Scattered};
@@ -33,6 +33,25 @@ pub struct WhichRay {
     /// With which probabilities the parts of a mixture are chosen. Other materials choose by what
     /// their parts reflect.
     pub choice: Choice,
+}
+
+impl WhichRay {
+    /// Its row of the table; the choice follows the mean of the shares.
+    pub const ENTRY: Entry = Entry::of_light(
+        [
+            "which-ray",
+            "next-event, the kind of the next ray chosen by the shares",
+            "A shadow ray to each lamp and one ray that is diffuse or specular or transmitted, chosen by \
+             the shares of a mixture: the light of next-event",
+        ],
+        Finds::BY_AIMING,
+        |max_depth| {
+            Box::new(WhichRay {
+                max_depth,
+                choice: Choice::ByMean,
+            })
+        },
+    );
 }
 
 impl Integrator for WhichRay {

@@ -9,7 +9,7 @@
 //! Source: Whitted, An Improved Illumination Model for Shaded Display (CACM 23(6), 1980). His
 //! lights are points; here a shadow ray aims at a random point of an extended light.
 
-use super::{Integrator, RayKind, TreeRay, Watch};
+use super::{Entry, Finds, Found, Integrator, RayKind, TreeRay, Watch};
 use crate::color::Rgb;
 use crate::geometry::Ray;
 use crate::materials::Branch;
@@ -17,12 +17,50 @@ use crate::sampling::frame::Frame;
 use crate::sampling::stream::{Purpose, Stream};
 use crate::scene::{Hit, Tracer};
 
+const AT_SKIES: &str = "it aims at a sky from rough surfaces only where the sky is an image, and goes no \
+                        further";
+
 /// Whitted's integrator.
 #[derive(Clone, Copy, Debug)]
 pub struct Whitted {
     /// Longest path in segments: the camera ray is the first, the shadow ray the last. The tree
     /// may double with each, so at most [`Whitted::MAX_DEPTH`].
     pub max_depth: u32,
+}
+
+impl Whitted {
+    /// Its row of the table.
+    pub const ENTRY: Entry = Entry {
+        longest: Whitted::MAX_DEPTH,
+        ..Entry::of_light(
+            [
+                "whitted",
+                "a tree of specular rays, and a shadow ray to each lamp",
+                "Shadow, mirror and glass rays; no light between diffuse surfaces",
+            ],
+            Finds {
+                lamps: Found {
+                    paths: Some("L(D|G)?S*E"),
+                    because: "it aims from the first rough surface of a path and goes no further",
+                },
+                image: Found {
+                    paths: Some("L(D|G)?S*E"),
+                    because: AT_SKIES,
+                },
+                sky: Found {
+                    paths: Some("LS*E"),
+                    because: AT_SKIES,
+                },
+                points: Found {
+                    paths: Some("L(D|G)S*E"),
+                    because: "it aims from the first rough surface of a path and goes no further, and no \
+                              aim goes through mirrors or glass",
+                },
+                by_chance: false,
+            },
+            |max_depth| Box::new(Whitted { max_depth }),
+        )
+    };
 }
 
 impl Whitted {

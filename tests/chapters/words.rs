@@ -2,7 +2,7 @@
 
 use super::{check, number};
 use halfdisk::effects::language::{everything, of_lamps};
-use halfdisk::integrators::{Integrator, Named, Path, Restricted};
+use halfdisk::integrators::{Integrator, Path, Restricted, Whitted};
 use halfdisk::notation::Expression;
 use halfdisk::render::{Options, Picture, compare, render};
 use halfdisk::scene::{Scene, gallery};
@@ -132,7 +132,7 @@ fn picture(scene: &Scene, by: &impl Integrator, seed: u64) -> Picture {
 /// squared z score of their pixels.
 fn apart(scene: &Scene, paths: &Expression) -> [f64; 2] {
     let max_depth = scene.suggested.max_depth;
-    let whitted = picture(scene, &Named::Whitted.with(max_depth), 3);
+    let whitted = picture(scene, &Whitted { max_depth }, 3);
     let sum = Restricted {
         path: Path::new(max_depth),
         paths: paths.eye_first(),
@@ -145,7 +145,7 @@ fn apart(scene: &Scene, paths: &Expression) -> [f64; 2] {
 #[test]
 fn s0_02_whitteds_picture_is_that_of_its_words() {
     let scene = gallery::load_with("spheres", |said| said.film.size = [32, 32]).unwrap();
-    let own = of_lamps(Named::Whitted).unwrap();
+    let own = of_lamps(&Whitted::ENTRY).unwrap();
     let [means, squares] = apart(&scene, &own);
     assert!(means.abs() <= 4.4, "{means}");
     assert!((squares - 1.0).abs() < 0.15, "{squares}");
@@ -162,7 +162,7 @@ fn s0_05_a_caustic_is_ls_plus_de_and_none_of_whitteds_words() {
     let caustic: Expression = "LS+DE".parse().unwrap();
     assert!(caustic.light_first().includes(slides.light_first()));
     assert!(!slides.light_first().includes(caustic.light_first()));
-    let whitted = of_lamps(Named::Whitted).unwrap();
+    let whitted = of_lamps(&Whitted::ENTRY).unwrap();
     let both = caustic.light_first().intersection(whitted.light_first());
     assert!(both.is_empty(), "{:?}", both.shortest(3));
     let all = everything();

@@ -4,7 +4,7 @@ use super::draw::Draw;
 use super::{room, scene};
 use halfdisk::color::{Rgb, quantise, srgb_encode};
 use halfdisk::geometry::Ray;
-use halfdisk::integrators::{Integrator, Kajiya, Named, Normals};
+use halfdisk::integrators::{Integrator, Kajiya, LADDER, Normals, Path, Roulette};
 use halfdisk::numeric::naive;
 use halfdisk::render::{Faults, Options, Pixel, Rendered, render, too_bright};
 use halfdisk::sampling::stream::{Purpose, Sampler, Stream};
@@ -26,7 +26,7 @@ struct Injected {
 
 impl Integrator for Injected {
     fn li(&self, tracer: &mut Tracer, ray: &Ray, stream: &Stream) -> Rgb {
-        let li = Named::Path.with(4).li(tracer, ray, stream);
+        let li = Path::new(4).li(tracer, ray, stream);
         // A number that no path asks for.
         let u = stream.at(u64::MAX, Purpose::Integrand).one();
         let (count, bad) = match (f64::from(u) * 1e4) as u32 {
@@ -113,7 +113,8 @@ fn a39_no_sample_of_the_gallery_is_at_fault() {
     for (name, _) in GALLERY {
         let scene = load_with(name, |said| said.film.size = [32, 24]).expect("a scene");
         let depth = scene.suggested.max_depth.min(10);
-        for named in Named::ALL {
+        for integrator in LADDER {
+            let by = integrator.name;
             let options = Options {
                 sampler: Sampler::Sobol,
                 ..options(16)
@@ -123,15 +124,15 @@ fn a39_no_sample_of_the_gallery_is_at_fault() {
                 faults,
                 largest: most,
                 ..
-            } = render(&scene, &named.with(depth), &options, &());
-            assert_eq!(faults, Faults::default(), "{name}, {named:?}");
-            let longest = if named == Named::Roulette {
+            } = render(&scene, &integrator.with(depth), &options, &());
+            assert_eq!(faults, Faults::default(), "{name}, {by}");
+            let longest = if integrator == Roulette::ENTRY {
                 u32::MAX
             } else {
                 depth
             };
             if let Some(bound) = scene.brightest(longest) {
-                assert_eq!(too_bright(&film, bound), 0, "{name}, {named:?}, {bound}");
+                assert_eq!(too_bright(&film, bound), 0, "{name}, {by}, {bound}");
             }
             samples += 32 * 24 * 16;
             largest = largest.max(most);
@@ -145,7 +146,7 @@ struct Lavish(f32);
 
 impl Integrator for Lavish {
     fn li(&self, tracer: &mut Tracer, ray: &Ray, stream: &Stream) -> Rgb {
-        Named::Path.with(30).li(tracer, ray, stream) * self.0
+        Path::new(30).li(tracer, ray, stream) * self.0
     }
 }
 
@@ -374,11 +375,11 @@ fn a46_nothing_at_all() {
                 camera = { from = [0, 0, 0], to = [0, 0, 1], fov = 40 }\n";
     for (objects, shade) in [("", 1.0), ("objects = []\nlights = []\n", 1.0)] {
         let scene = try_load(&format!("{objects}{text}")).unwrap();
-        for named in Named::ALL {
-            let film = render(&scene, &named.with(5), &options(3), &()).film;
+        for integrator in LADDER {
+            let film = render(&scene, &integrator.with(5), &options(3), &()).film;
             for pixel in film.pixels() {
                 let exact = [0.1_f32, 0.2, 30.0].map(|x| f64::from(x) * shade);
-                assert_eq!(pixel.mean(), Some(exact), "{named:?}");
+                assert_eq!(pixel.mean(), Some(exact), "{}", integrator.name);
             }
         }
     }

@@ -227,7 +227,7 @@ fn a30_jitter_far_to_the_right_of_a_picture() {
 
 #[test]
 fn a26_lights_without_extent_are_found_by_aiming_alone() {
-    use halfdisk::integrators::{Integrator, Named};
+    use halfdisk::integrators::{Combine, Integrator, NextEvent, Path, WhichRay};
     use halfdisk::scene::Tracer;
     // A point light two units above a floor, and a lamp that shines elsewhere.
     let lit = super::scene(
@@ -239,21 +239,23 @@ fn a26_lights_without_extent_are_found_by_aiming_alone() {
     let truth = 0.5 / std::f64::consts::PI * 3.0 / 4.0;
     let ray = halfdisk::geometry::Ray::new(Vec3::ZERO, Vec3::NEG_Y);
     let placeholder = f64::from(Heuristic::Power.weight(1.0, hemisphere::pdf_cosine(Vec3::Z)));
-    for named in [
-        Named::NextEvent,
-        Named::WhichRay,
-        Named::Combine,
-        Named::Path,
+    for integrator in [
+        NextEvent::ENTRY,
+        WhichRay::ENTRY,
+        Combine::ENTRY,
+        Path::ENTRY,
     ] {
         let read: Estimate = (0..20_000)
             .map(|i| {
                 let mut tracer = Tracer::new(&lit);
-                let li = named.with(2).li(&mut tracer, &ray, &Stream::new(26, 0, i));
+                let li = integrator
+                    .with(2)
+                    .li(&mut tracer, &ray, &Stream::new(26, 0, i));
                 f64::from(li.g)
             })
             .collect();
         let off = |truth: f64| (read.mean() - truth).abs() <= 4.4 * read.std_error() + 1e-6 * truth;
-        assert!(off(truth), "{named:?}: {read:?} for {truth}");
+        assert!(off(truth), "{}: {read:?} for {truth}", integrator.name);
         assert!(
             !off(placeholder * truth),
             "a placeholder density loses light"

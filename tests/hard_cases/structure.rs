@@ -3,7 +3,7 @@
 use super::{room_with, scene};
 use glam::DVec3;
 use halfdisk::geometry::Ray;
-use halfdisk::integrators::{Integrator, Named};
+use halfdisk::integrators::{Entry, Integrator, Kajiya, Path, Roulette};
 use halfdisk::numeric::naive;
 use halfdisk::render::{Film, Options, render};
 use halfdisk::sampling::stream::{Sampler, Stream};
@@ -19,7 +19,7 @@ fn film(scene: &Scene, spp: u32, seed: u64) -> Film {
         sampler: Sampler::Independent,
         ..Options::default()
     };
-    let rendered = render(scene, &Named::Path.with(6), &options, &());
+    let rendered = render(scene, &Path::new(6), &options, &());
     assert_eq!(rendered.faults, Default::default());
     rendered.film
 }
@@ -178,18 +178,18 @@ fn a48_paths_end_before_their_light_does() {
         "[materials.dim]\nlambert.albedo = 1e-9\n[[objects]]\nmaterial = 'dim'\nemits = 1\n\
          sphere = { center = [0, 0, 0], radius = 1, inward = true }\n",
     );
-    let rays = |named: Named| {
-        let integrator = named.with(1000);
+    let rays = |integrator: Entry| {
+        let (name, integrator) = (integrator.name, integrator.with(1000));
         let mut tracer = Tracer::new(&dim);
         let mut sum = 0.0;
         for i in 0..1000 {
             let ray = Ray::new(glam::Vec3::ZERO, glam::Vec3::Z);
             sum += f64::from(integrator.li(&mut tracer, &ray, &Stream::new(48, 0, i)).g);
         }
-        assert!((sum / 1000.0 - 1.0).abs() < 1e-6, "{named:?}: {sum}");
+        assert!((sum / 1000.0 - 1.0).abs() < 1e-6, "{name}: {sum}");
         tracer.counts().total() as f64 / 1000.0
     };
-    let [path, roulette, walk] = [Named::Path, Named::Roulette, Named::Kajiya].map(rays);
+    let [path, roulette, walk] = [Path::ENTRY, Roulette::ENTRY, Kajiya::ENTRY].map(rays);
     println!("seed 48: rays of a path {path:.1}, by roulette {roulette:.1}, cut at 1000 {walk:.0}");
     assert!(path < 20.0 && roulette < 3.0 && walk > 900.0);
 }

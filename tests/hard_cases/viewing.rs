@@ -5,7 +5,7 @@ use super::{room_with, scene};
 use glam::{DVec3, Mat3, Vec3};
 use halfdisk::camera::Camera;
 use halfdisk::geometry::{PreparedRay, Ray, Sphere};
-use halfdisk::integrators::{Integrator, Named, Normals};
+use halfdisk::integrators::{Integrator, Normals, Path, Whitted};
 use halfdisk::numeric::naive;
 use halfdisk::render::{Film, Options, render};
 use halfdisk::sampling::stream::Stream;
@@ -23,7 +23,7 @@ const OPTIONS: Options = Options {
 
 fn picture(scene: &Scene, seed: u64) -> Film {
     let options = Options { seed, ..OPTIONS };
-    let rendered = render(scene, &Named::Path.with(6), &options, &());
+    let rendered = render(scene, &Path::new(6), &options, &());
     assert_eq!(rendered.faults, Default::default());
     rendered.film
 }
@@ -152,9 +152,7 @@ fn a13_a_wall_of_sixteen_steps_casts_its_whole_shadow() {
             let aim = Vec3::new(draw.between(-0.3, 0.3), draw.between(-0.3, 0.3), 1.0);
             let ray = Ray::new(behind, aim.normalize());
             let li =
-                Named::Whitted
-                    .with(2)
-                    .li(&mut Tracer::new(&dark), &ray, &Stream::new(13, 0, 0));
+                Whitted { max_depth: 2 }.li(&mut Tracer::new(&dark), &ray, &Stream::new(13, 0, 0));
             assert!(li.is_black(), "{place}");
         }
     }
@@ -208,9 +206,7 @@ fn a15_normals_of_squeezed_shapes_and_mirrored_furnaces() {
             .map(|i| {
                 let stream = Stream::new(15, 0, i);
                 let ray = Ray::new(Vec3::ZERO, Vec3::Z);
-                let li = Named::Path
-                    .with(60)
-                    .li(&mut Tracer::new(&furnace), &ray, &stream);
+                let li = Path::new(60).li(&mut Tracer::new(&furnace), &ray, &stream);
                 f64::from(li.g)
             })
             .collect();
@@ -282,9 +278,7 @@ fn a19_from_inside_lamps_and_glass() {
             .map(|i| {
                 let ray = Ray::new(Vec3::new(0.1, 0.2, -0.3), Vec3::new(0.6, 0.0, 0.8));
                 let stream = Stream::new(19, 0, i);
-                let li = Named::Path
-                    .with(depth)
-                    .li(&mut Tracer::new(&scene), &ray, &stream);
+                let li = Path::new(depth).li(&mut Tracer::new(&scene), &ray, &stream);
                 f64::from(li.g)
             })
             .collect()

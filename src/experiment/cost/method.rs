@@ -1,8 +1,7 @@
 //! The methods whose prices are compared: integrators, points, and a mistake.
 
 use crate::estimators::mistakes::Clamped;
-use crate::integrators::{Named, Path};
-use crate::lights::Light;
+use crate::integrators::{Entry, LADDER, Path};
 use crate::render::{Options, Progress, Rendered, render};
 use crate::sampling::stream::Sampler;
 use crate::scene::Scene;
@@ -15,7 +14,7 @@ pub struct Method {
     /// How it finds light, in a few words.
     pub about: &'static str,
     /// What computes a sample.
-    pub integrator: Named,
+    pub integrator: Entry,
     /// Where samples are cut off, if they are.
     pub clamp: Option<f32>,
     /// How the samples of a pixel lie to each other.
@@ -31,69 +30,37 @@ const ENDLESS: u32 = 10_000;
 pub const CLAMP: f32 = 1.0;
 
 /// The name of the method that others are compared with.
-pub const BASE: &str = "path";
+pub const BASE: &str = Path::ENTRY.name;
 
-const fn plain(integrator: Named, name: &'static str, about: &'static str) -> Method {
+/// An integrator as it is, with independent samples.
+const fn plain(integrator: Entry) -> Method {
     Method {
-        name,
-        about,
+        name: integrator.name,
+        about: integrator.about,
         integrator,
         clamp: None,
         sampler: Sampler::Independent,
-        may_be_biased: None,
+        may_be_biased: integrator.leaves_out(),
     }
 }
 
-/// All methods, in the order of the ladder.
-pub const ALL: [Method; 9] = [
-    Method {
-        may_be_biased: Some("it leaves out the light between diffuse surfaces"),
-        ..plain(
-            Named::Whitted,
-            "whitted",
-            "a tree of specular rays, and a shadow ray to each lamp",
-        )
-    },
-    plain(
-        Named::Kajiya,
-        "kajiya",
-        "a random walk that finds lamps by chance",
-    ),
-    plain(
-        Named::Roulette,
-        "roulette",
-        "the same without a longest path: it ends by chance",
-    ),
-    plain(
-        Named::NextEvent,
-        "next-event",
-        "the walk, and a shadow ray to each lamp",
-    ),
-    plain(
-        Named::WhichRay,
-        "which-ray",
-        "the same, the kind of the next ray chosen by the shares",
-    ),
-    plain(Named::Combine, "combine", "lamps found both ways, weighted"),
-    plain(Named::Path, BASE, "all of it: one lamp, weighted, roulette"),
-    Method {
-        sampler: Sampler::Sobol,
-        ..plain(
-            Named::Path,
-            "path-sobol",
-            "the same with points that lie evenly",
-        )
-    },
-    Method {
-        clamp: Some(CLAMP),
-        may_be_biased: Some("it cuts off what is brighter than 1 in each sample"),
-        ..plain(
-            Named::Path,
-            "clamped",
-            "a mistake: path, with bright samples cut off",
-        )
-    },
-];
+/// All methods: the integrators in the order of the ladder, even points, and a mistake.
+pub const ALL: [Method; LADDER.len() + 2] = {
+    let mut all = [plain(Path::ENTRY); LADDER.len() + 2];
+    let mut i = 0;
+    while i < LADDER.len() {
+        all[i] = plain(LADDER[i]);
+        i += 1;
+    }
+    all[i].name = "path-sobol";
+    all[i].about = "path with points that lie evenly";
+    all[i].sampler = Sampler::Sobol;
+    all[i + 1].name = "clamped";
+    all[i + 1].about = "a mistake: path, with bright samples cut off";
+    all[i + 1].clamp = Some(CLAMP);
+    all[i + 1].may_be_biased = Some("it cuts off what is brighter than 1 in each sample");
+    all
+};
 
 impl Method {
     /// The method of this name.
@@ -103,17 +70,14 @@ impl Method {
 
     /// Why it cannot render `scene`; `None` where it can.
     pub fn cannot(&self, scene: &Scene) -> Option<&'static str> {
-        let by_chance = matches!(self.integrator, Named::Kajiya | Named::Roulette);
-        let without_extent =
-            |light: &Light| matches!(light, Light::Point(_) | Light::Directional(_));
-        (by_chance && scene.lights.iter().any(without_extent))
-            .then_some("no walk meets a light without extent by chance")
+        let points = self.integrator.finds()?.points;
+        (points.paths.is_none() && scene.inventory.point_lights > 0).then_some(points.because)
     }
 
     /// True where paths of any length count, so that the truth is another one than where the scene's
     /// longest path ends them.
     pub fn is_endless(&self) -> bool {
-        self.integrator == Named::Roulette
+        self.integrator.is_endless
     }
 
     /// True where its samples are independent, so that its error falls as one over the root of their

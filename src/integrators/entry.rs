@@ -1,0 +1,155 @@
+//! What everyone needs to know of an integrator that can be asked for by name.
+
+use super::Integrator;
+
+/// An integrator of the table: its name, its constructor, and the light it finds.
+///
+/// Each integrator states its own beside its algorithm. The command line, prices, coverage, the
+/// classes of light and the book read it there.
+#[derive(Clone, Copy, Debug)]
+pub struct Entry {
+    /// How it is written.
+    pub name: &'static str,
+    /// How it finds light, in a few words.
+    pub about: &'static str,
+    /// The same in a sentence, for who has to choose one.
+    pub help: &'static str,
+    /// The integrator whose paths have at most so many segments.
+    /// See [`Entry::with`].
+    pub(super) make: fn(max_depth: u32) -> Box<dyn Integrator>,
+    /// What its pictures show.
+    pub shows: Shows,
+    /// The longest path it can follow, in segments.
+    pub longest: u32,
+    /// True where its paths end by chance, whatever their longest is said to be.
+    pub is_endless: bool,
+}
+
+/// What the pictures of an integrator show.
+#[derive(Clone, Copy, Debug)]
+pub enum Shows {
+    /// Radiance: these paths of these sources.
+    Light(Finds),
+    /// Numbers that belong to the geometry; on a screen this one is white, or the largest.
+    Geometry {
+        /// Shown as white; `None` for the largest number of the picture.
+        white: Option<f64>,
+    },
+}
+
+/// The light that an integrator finds, by its sources.
+#[derive(Clone, Copy, Debug)]
+pub struct Finds {
+    /// Of lamps with extent.
+    pub lamps: Found,
+    /// Of an image around the scene.
+    pub image: Found,
+    /// Of a background of one colour.
+    pub sky: Found,
+    /// Of points and directions.
+    pub points: Found,
+    /// True where it meets lamps by chance alone, so that it may not have met one yet.
+    pub by_chance: bool,
+}
+
+/// The paths that an integrator finds from one kind of source.
+#[derive(Clone, Copy, Debug)]
+pub struct Found {
+    /// Its paths as an expression; `None` where there are none.
+    pub paths: Option<&'static str>,
+    /// Why it finds no others; empty where it finds all.
+    pub because: &'static str,
+}
+
+impl Found {
+    /// All paths there are.
+    pub const ALL: Found = Found {
+        paths: Some("L(D|S|G)*E"),
+        because: "",
+    };
+}
+
+impl Finds {
+    /// What a walk from the eye finds that meets lamps and the sky by chance.
+    pub const BY_CHANCE: Finds = Finds {
+        lamps: Found::ALL,
+        image: Found::ALL,
+        sky: Found::ALL,
+        points: Found {
+            paths: None,
+            because: "a random walk never meets a point or a direction",
+        },
+        by_chance: true,
+    };
+
+    /// What a walk from the eye finds that also aims at lights from every rough surface.
+    pub const BY_AIMING: Finds = Finds {
+        points: Found {
+            paths: Some("L(D|G)(D|S|G)*E"),
+            because: "no walk from the eye meets a point or a direction, and no shadow ray goes through \
+                      mirrors or glass",
+        },
+        by_chance: false,
+        ..Finds::BY_CHANCE
+    };
+}
+
+impl Entry {
+    /// An integrator of light, whose paths may be of any length.
+    pub(super) const fn of_light(
+        [name, about, help]: [&'static str; 3],
+        finds: Finds,
+        make: fn(u32) -> Box<dyn Integrator>,
+    ) -> Entry {
+        Entry {
+            name,
+            about,
+            help,
+            make,
+            shows: Shows::Light(finds),
+            longest: u32::MAX,
+            is_endless: false,
+        }
+    }
+
+    /// A picture of the geometry, in which `white` is shown as [`Shows::Geometry`] says.
+    pub(super) const fn of_geometry(
+        [name, about, help]: [&'static str; 3],
+        white: Option<f64>,
+        make: fn(u32) -> Box<dyn Integrator>,
+    ) -> Entry {
+        Entry {
+            shows: Shows::Geometry { white },
+            ..Entry::of_light([name, about, help], Finds::BY_CHANCE, make)
+        }
+    }
+
+    /// The integrator whose paths have at most `max_depth` segments, and at most [`Entry::longest`].
+    pub fn with(&self, max_depth: u32) -> Box<dyn Integrator> {
+        (self.make)(max_depth.min(self.longest))
+    }
+
+    /// The light it finds; `None` for pictures of something else.
+    pub const fn finds(&self) -> Option<&Finds> {
+        match &self.shows {
+            Shows::Light(finds) => Some(finds),
+            Shows::Geometry { .. } => None,
+        }
+    }
+
+    /// Why its answer is not the truth, however many samples it takes; `None` where it is.
+    pub const fn leaves_out(&self) -> Option<&'static str> {
+        match self.finds() {
+            Some(finds) if !finds.lamps.because.is_empty() => Some(finds.lamps.because),
+            _ => None,
+        }
+    }
+}
+
+impl PartialEq for Entry {
+    fn eq(&self, other: &Entry) -> bool {
+        self.name == other.name
+    }
+}
+
+impl Eq for Entry {}
