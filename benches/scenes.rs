@@ -5,14 +5,13 @@ use criterion::measurement::WallTime;
 use criterion::{BenchmarkGroup, Criterion, Throughput, criterion_group, criterion_main};
 use halfdisk::integrators::{Integrator, Kajiya, NextEvent, Path, Whitted};
 use halfdisk::render::{Options, render};
-use halfdisk::scene::description::Description;
 use halfdisk::scene::gallery;
 
 const SIDE: u32 = 64;
 
 fn picture(group: &mut BenchmarkGroup<WallTime>, scene: &str, name: &str, by: &impl Integrator) {
-    let small = |said: &mut Description| said.film.size = [SIDE.into(); 2];
-    let loaded = gallery::load_with(scene, small).expect("a scene of the gallery");
+    let loaded = gallery::load(scene).expect("a scene of the gallery");
+    let loaded = loaded.sized([SIDE; 2]);
     let options = Options {
         spp: 1,
         ..Options::default()

@@ -21,7 +21,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     };
     let mut films = Vec::new();
     for name in SCENES {
-        let scene = gallery::load_with(name, |said| said.film.size = [SIDE.into(); 2])?;
+        let scene = gallery::load(name)?.sized([SIDE; 2]);
         let max_depth = scene.suggested.max_depth;
         films.push(render(&scene, &Whitted { max_depth }, &options, &()).film);
     }

@@ -27,8 +27,8 @@ struct Arguments {
     #[arg(long, value_delimiter = ',', value_parser = percent, default_values = ["5", "2", "1"])]
     targets: Vec<f64>,
     /// Side of the pictures in pixels
-    #[arg(long, default_value_t = 128)]
-    size: i64,
+    #[arg(long, default_value_t = 128, value_parser = clap::value_parser!(u32).range(1..=4096))]
+    size: u32,
     /// Samples of the reference for each of the longest render's
     #[arg(long, default_value_t = 100, value_parser = clap::value_parser!(u32).range(1..))]
     ratio: u32,
@@ -96,7 +96,7 @@ fn run(arguments: &Arguments) -> Result<(), Box<dyn Error>> {
         "scene     target  reached      true /target       spp pilot spp   s said, taken  ratio longer\n",
     )?;
     for name in &arguments.scenes {
-        let scene = gallery::load_with(name, |said| said.film.size = [arguments.size; 2])?;
+        let scene = gallery::load(name)?.sized([arguments.size; 2]);
         for kept in promises(name, &scene, arguments, stop)? {
             answer(&format!("{}\n", kept.row(name)))?;
             all.push(kept);

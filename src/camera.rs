@@ -11,6 +11,8 @@ use glam::{DVec3, Vec2, Vec3};
 pub struct Camera {
     origin: Vec3,
     forward: Vec3,
+    /// Half the height of the image plane at distance 1, but to the right.
+    across: DVec3,
     /// Half the width of the image plane at distance 1, to the right.
     right: Vec3,
     /// Half the height of the image plane at distance 1, upwards.
@@ -48,13 +50,26 @@ impl Camera {
         }
         let right = right.normalize();
         let half_height = libm::tan(fov / 2.0);
+        let across = right * half_height;
         Some(Camera {
             origin,
             forward: forward.as_vec3(),
-            right: (right * half_height * aspect).as_vec3(),
+            across,
+            right: (across * aspect).as_vec3(),
             up: (right.cross(forward) * half_height).as_vec3(),
             lens: None,
         })
+    }
+
+    /// The same camera for an image of another shape; its angle across the height stays.
+    ///
+    /// * `aspect`: image width over height.
+    #[must_use]
+    pub fn with_aspect(self, aspect: f64) -> Self {
+        Camera {
+            right: (self.across * aspect).as_vec3(),
+            ..self
+        }
     }
 
     /// The same camera with a lens, or with a pinhole.

@@ -218,7 +218,7 @@ fn s0_16_a_path_has_one_ray_and_one_to_each_lamp_at_each_surface() {
 
 #[test]
 fn paths_that_share_their_first_ray_paint_the_same_picture() {
-    let scene = gallery::load_with("spheres", |said| said.film.size = [12, 12]).unwrap();
+    let scene = gallery::load("spheres").unwrap().sized([12, 12]);
     let paint = |integrator: &dyn Fn(&Options) -> Film, spp, seed| {
         integrator(&Options {
             spp,

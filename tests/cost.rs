@@ -18,7 +18,7 @@ const DESIGN: Design = Design {
 };
 
 fn small(name: &str) -> Scene {
-    gallery::load_with(name, |said| said.film.size = [32, 32]).unwrap()
+    gallery::load(name).unwrap().sized([32, 32])
 }
 
 fn run(scene: &Scene, methods: &[Method], design: &Design) -> (Measured, PriceList) {

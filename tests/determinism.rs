@@ -19,11 +19,8 @@ const OPTIONS: Options = Options {
 };
 
 fn small(name: &str, change: impl FnOnce(&mut Description)) -> Scene {
-    let shrink = |said: &mut Description| {
-        said.film.size = [30, 22];
-        change(said);
-    };
-    load_with(name, shrink).expect("a scene of the gallery")
+    let scene = load_with(name, change).expect("a scene of the gallery");
+    scene.sized([30, 22])
 }
 
 fn film(scene: &Scene, options: &Options) -> Film {
@@ -277,5 +274,19 @@ fn mirrored_meshes_keep_their_front() {
         [-1.0, -1.0, -1.0],
     ] {
         normals(signs);
+    }
+}
+
+#[test]
+fn another_size_is_that_of_a_file_that_says_so() {
+    for (name, _) in gallery::GALLERY {
+        for size in [[7, 5], [3, 11]] {
+            let said = load_with(name, |said| said.film.size = size.map(i64::from)).unwrap();
+            let sized = gallery::load(name).unwrap().sized(size);
+            // What is made from a sized scene keeps its size.
+            let changed = sized.changed(|_| {}).unwrap();
+            assert_eq!(film(&said, &OPTIONS), film(&sized, &OPTIONS), "{name}");
+            assert_eq!(film(&said, &OPTIONS), film(&changed, &OPTIONS), "{name}");
+        }
     }
 }

@@ -7,7 +7,7 @@ use halfdisk::output::{self, Display, Provenance};
 use halfdisk::render::accuracy::quantile;
 use halfdisk::render::{BadSample, Film, Options, Picture, Pixel, compare, render};
 use halfdisk::sampling::stream::{Purpose, Sampler, Stream};
-use halfdisk::scene::gallery::{self, GALLERY, load_with};
+use halfdisk::scene::gallery::{self, GALLERY, load};
 use halfdisk::scene::read::Source;
 use halfdisk::scene::{Scene, Tracer};
 use std::collections::BTreeMap;
@@ -54,7 +54,7 @@ impl Integrator for Spoilt {
 }
 
 fn small(name: &str) -> Scene {
-    load_with(name, |said| said.film.size = [13, 9]).expect("a scene of the gallery")
+    load(name).expect("a scene of the gallery").sized([13, 9])
 }
 
 #[test]
@@ -124,7 +124,7 @@ fn the_first_samples_of_many_are_the_samples_of_few() {
 #[test]
 fn the_gallery_has_only_finite_samples() {
     for (name, _) in GALLERY {
-        let scene = load_with(name, |said| said.film.size = [40, 30]).unwrap();
+        let scene = load(name).unwrap().sized([40, 30]);
         let check = |integrator: &str, rendered: halfdisk::render::Rendered| {
             assert_eq!(rendered.non_finite, 0, "{name}, {integrator}");
             assert!(rendered.film.pixels().iter().all(|p| p.count() == 7));

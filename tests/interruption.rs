@@ -34,7 +34,7 @@ fn alone<T: Send>(work: impl FnOnce() -> T + Send) -> T {
 
 #[test]
 fn a_render_asks_before_each_sample_and_keeps_those_before() {
-    let scene = gallery::load_with("lamp", |said| said.film.size = [16, 16]).unwrap();
+    let scene = gallery::load("lamp").unwrap().sized([16, 16]);
     let options = Options {
         spp: 64,
         ..Options::default()
@@ -52,7 +52,7 @@ fn a_render_asks_before_each_sample_and_keeps_those_before() {
 
 #[test]
 fn words_are_counted_whole_or_not_at_all() {
-    let scene = gallery::load_with("lamp", |said| said.film.size = [8, 4]).unwrap();
+    let scene = gallery::load("lamp").unwrap().sized([8, 4]);
     let options = Options {
         spp: 2,
         ..Options::default()
@@ -73,7 +73,7 @@ fn words_are_counted_whole_or_not_at_all() {
 
 #[test]
 fn a_comparison_ends_within_its_first_picture() {
-    let scene = gallery::load_with("lamp", |said| said.film.size = [16, 16]).unwrap();
+    let scene = gallery::load("lamp").unwrap().sized([16, 16]);
     let wanted = None;
     let setup = Setup { scene, wanted };
     let progress = stop_after(300);

@@ -26,7 +26,7 @@ fn picture(scene: &Scene, integrator: &impl Integrator, spp: u32, seed: u64) -> 
 }
 
 fn small(name: &str) -> Scene {
-    gallery::load_with(name, |said| said.film.size = [16; 2]).unwrap()
+    gallery::load(name).unwrap().sized([16; 2])
 }
 
 #[test]

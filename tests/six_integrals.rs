@@ -122,7 +122,7 @@ fn the_roughest_lobe_keeps_one_minus_the_logarithm_of_two() {
 }
 
 fn six(integrator: &impl Integrator, fixed: &'static [Purpose], spp: u32, seed: u64) -> Rendered {
-    let scene = gallery::load_with("six", |said| said.film.size = [24, 18]).unwrap();
+    let scene = gallery::load("six").unwrap().sized([24, 18]);
     let options = Options {
         spp,
         seed,

@@ -8,7 +8,7 @@ use halfdisk::render::target::{Goal, StoppedBy, render_to};
 use halfdisk::render::{Film, Options, Progress, Session, render};
 use halfdisk::sampling::stream::{Purpose, Sampler, Stream};
 use halfdisk::scene::description::Color;
-use halfdisk::scene::gallery::load_with;
+use halfdisk::scene::gallery::{load, load_with};
 use halfdisk::scene::{Scene, Tracer};
 use halfdisk::stats::Estimate;
 use std::sync::atomic::{AtomicU64, Ordering};
@@ -17,8 +17,8 @@ use std::time::{Duration, Instant};
 /// Standard errors beyond which a test rejects: a level of 1e-5 for each comparison.
 pub const CRITICAL: f64 = 4.4;
 
-pub fn small(name: &str, size: [i64; 2]) -> Scene {
-    load_with(name, |said| said.film.size = size).expect("a scene of the gallery")
+pub fn small(name: &str, size: [u32; 2]) -> Scene {
+    load(name).expect("a scene of the gallery").sized(size)
 }
 
 pub fn options(seed: u64, sampler: Sampler) -> Options {

@@ -7,7 +7,7 @@ use halfdisk::render::accuracy::{Accuracy, Measure, brightness, true_error};
 use halfdisk::render::target::{Goal, StoppedBy, pilot_seed, predict, render_to};
 use halfdisk::render::{Film, Options, Pixel, Session, render};
 use halfdisk::sampling::stream::{Purpose, Sampler, Stream};
-use halfdisk::scene::gallery::load_with;
+use halfdisk::scene::gallery::load;
 use halfdisk::scene::{Scene, Tracer};
 use halfdisk::stats::Estimate;
 
@@ -15,8 +15,8 @@ use halfdisk::stats::Estimate;
 const CRITICAL: f64 = 4.4;
 const RMS: Measure = Measure::RootMeanSquare;
 
-fn small(name: &str, size: [i64; 2]) -> Scene {
-    load_with(name, |said| said.film.size = size).expect("a scene of the gallery")
+fn small(name: &str, size: [u32; 2]) -> Scene {
+    load(name).expect("a scene of the gallery").sized(size)
 }
 
 fn options(spp: u32, seed: u64, sampler: Sampler) -> Options {

@@ -44,10 +44,7 @@ pub fn work(desk: &mut Desk) -> Result<(u64, Largest), DeskError> {
 
 fn load(desk: &Desk, change: impl FnOnce(&mut Description)) -> Result<Scene, DeskError> {
     let side = desk.choose(48, 16);
-    Ok(gallery::load_with("spheres", |said| {
-        said.film.size = [side; 2];
-        change(said);
-    })?)
+    Ok(gallery::load_with("spheres", change)?.sized([side; 2]))
 }
 
 fn point(said: &mut Description) {

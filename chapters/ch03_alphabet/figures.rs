@@ -83,7 +83,7 @@ pub struct Drawn {
 /// A picture for each class, which add up to the whole one.
 pub fn strip(desk: &mut Desk) -> Result<Drawn, DeskError> {
     let side = desk.choose(128, 32);
-    let scene = gallery::load_with("spheres", |said| said.film.size = [side; 2])?;
+    let scene = gallery::load("spheres")?.sized([side; 2]);
     let path = Path::new(scene.suggested.max_depth);
     let whole = paint(desk, &scene, &path)?;
     let mut sum = vec![[0.0; 3]; whole.film.pixels().len()];

@@ -43,7 +43,7 @@ fn work(desk: &mut Desk) -> Result<Ledger, DeskError> {
     let (mut groups, mut spelt) = (Vec::new(), 0);
     for name in SCENES {
         let side = desk.choose(96, 24);
-        let scene = gallery::load_with(name, |said| said.film.size = [side; 2])?;
+        let scene = gallery::load(name)?.sized([side; 2]);
         let words = spell(desk, &scene);
         spelt += words.rays;
         desk.say(&format!("\n{name}: {} words", words.shares.len()));

@@ -33,7 +33,7 @@ fn main() -> ExitCode {
 fn work(desk: &mut Desk) -> Result<Ledger, DeskError> {
     let seed = desk.options.seed;
     // The Cornell box with four directions at each surface, up to three bounces between walls.
-    let scene = gallery::load_with("cornell", |said| said.film.size = [96, 96])?;
+    let scene = gallery::load("cornell")?.sized([96, 96]);
     let mut pictures = Vec::new();
     for depth in 0..=3 {
         pictures.push(picture(desk, &scene, depth)?);

@@ -79,7 +79,7 @@ pub fn profiles(desk: &mut Desk, rows: &[(Profile, Vec<Reading>)]) -> Result<(),
 
 /// Rays of a sample up to the first surface, counted: a camera ray, a shadow ray, one ray more.
 pub fn first_hits(desk: &mut Desk) -> Result<u64, DeskError> {
-    let scene = gallery::load_with("six", |said| said.film.size = [80, 60])?;
+    let scene = gallery::load("six")?.sized([80, 60]);
     let sets = Integral::ALL.map(|i| (name(i), i.others()));
     let mut drawn = 0;
     for (name, fixed) in [("none", Integral::NONE)]

@@ -70,7 +70,7 @@ fn work(desk: &mut Desk) -> Result<Ledger, DeskError> {
     compared.add(cone.z(PI / 4.0));
 
     // The same scene without any integral, with each alone, and with all.
-    let scene = gallery::load_with("six", |said| said.film.size = [160, 120])?;
+    let scene = gallery::load("six")?.sized([160, 120]);
     let none = picture(desk, &scene, Integral::NONE, 1)?;
     let text = "No integral: one ray through the middle of everything.";
     desk.picture("none.png", text, &none.film, &scene)?;

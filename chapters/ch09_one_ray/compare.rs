@@ -28,9 +28,7 @@ fn each(found: &Rendered) -> f64 {
 }
 
 fn small() -> Result<Scene, DeskError> {
-    Ok(gallery::load_with("cornell", |said| {
-        said.film.size = [32; 2]
-    })?)
+    Ok(gallery::load("cornell")?.sized([32; 2]))
 }
 
 /// The tree of the gather and single paths, in the same room, for as many rays: how far they are

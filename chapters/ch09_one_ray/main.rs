@@ -40,7 +40,7 @@ fn work(desk: &mut Desk) -> Result<Ledger, DeskError> {
     [z_room, z_tree].into_iter().for_each(|z| compared.add(z));
     let rays_split = compare::splitting(desk)?;
     let side = desk.choose(160, 48);
-    let scene = gallery::load_with("cornell", |said| said.film.size = [side; 2])?;
+    let scene = gallery::load("cornell")?.sized([side; 2]);
     let rays_forty = figures::forty_paths(desk, &scene)?;
     let rays_noise = figures::noise(desk, desk.choose(8, 6))?;
     let rays_edge = figures::edge(desk)?;

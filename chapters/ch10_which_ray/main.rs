@@ -94,7 +94,7 @@ fn work(desk: &mut Desk) -> Result<Ledger, DeskError> {
     desk.estimate("slab_rays", says, &per_path, Some(3.0));
 
     // The same picture by each rule: the light is the same, the variance is not.
-    let small = gallery::load_with("mixture", |said| said.film.size = [48, 48])?;
+    let small = gallery::load("mixture")?.sized([48, 48]);
     let mut spent = whole.rays.total() + map.rays.total() + slab_rays;
     let mut bargain = [0.0; 2];
     for (choice, name, called) in RULES {

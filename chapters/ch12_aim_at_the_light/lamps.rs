@@ -176,7 +176,7 @@ fn missing_words() -> Result<String, ExpressionError> {
 
 /// The box with its lamp counted twice, beside the right one; the rays.
 pub fn twice(desk: &mut Desk) -> Result<u64, DeskError> {
-    let scene = gallery::load_with("cornell", |said| said.film.size = [96; 2])?;
+    let scene = gallery::load("cornell")?.sized([96; 2]);
     let depth = 2;
     let right = picture(desk, &scene, &NextEvent { max_depth: depth }, 128, 2)?;
     let wrong = picture(desk, &scene, &CountTwice { max_depth: depth }, 128, 2)?;

@@ -16,7 +16,7 @@ const SCENES: [&str; 4] = ["cornell", "spheres", "gloss", "caustic"];
 
 /// A square picture of a scene, by independent samples.
 fn picture(desk: &Desk, name: &str, side: u32, spp: u32) -> Result<Rendered, DeskError> {
-    let scene = gallery::load_with(name, |said| said.film.size = [side.into(); 2])?;
+    let scene = gallery::load(name)?.sized([side; 2]);
     let options = Options {
         spp,
         seed: desk.options.seed,

@@ -32,7 +32,7 @@ pub struct Prices {
 pub fn work(desk: &mut Desk) -> Result<Prices, DeskError> {
     // In smaller pictures the edge of the lamp, in few large pixels, would decide all.
     let side = desk.choose(48, 32);
-    let scene = gallery::load_with("cornell", |said| said.film.size = [side; 2])?;
+    let scene = gallery::load("cornell")?.sized([side; 2]);
     // ANCHOR: measure
     let design = Design {
         replicates: desk.choose(10, 6),

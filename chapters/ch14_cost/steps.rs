@@ -54,7 +54,7 @@ pub fn falls(desk: &mut Desk) -> Result<(), DeskError> {
 
 /// The noise of forty paths over that of one, in pictures of the box; the rays.
 pub fn forty(desk: &mut Desk) -> Result<u64, DeskError> {
-    let scene = gallery::load_with("cornell", |said| said.film.size = [32; 2])?;
+    let scene = gallery::load("cornell")?.sized([32; 2]);
     let mut means = vec![Estimate::new(); 32 * 32];
     let mut singles = means.clone();
     let mut rays = 0;
@@ -91,7 +91,7 @@ pub fn forty(desk: &mut Desk) -> Result<u64, DeskError> {
 
 /// A picture that paused half-way, and two halves put together; the rays.
 pub fn halves(desk: &mut Desk) -> Result<u64, DeskError> {
-    let scene = gallery::load_with("cornell", |said| said.film.size = [32; 2])?;
+    let scene = gallery::load("cornell")?.sized([32; 2]);
     let path = Path::new(8);
     let seed = desk.options.seed;
     let options = |spp, number| Options {

@@ -54,5 +54,5 @@ fn work(desk: &mut Desk) -> Result<Ledger, DeskError> {
 
 /// The scene in another size.
 fn load(name: &str, size: [u32; 2]) -> Result<Scene, SceneError> {
-    gallery::load_with(name, |said| said.film.size = size.map(i64::from))
+    gallery::load(name).map(|scene| scene.sized(size))
 }

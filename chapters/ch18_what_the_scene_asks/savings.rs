@@ -7,7 +7,7 @@ use halfdisk::effects::measure::{Difference, Setup, difference};
 use halfdisk::effects::without::Without;
 use halfdisk::integrators::Path;
 use halfdisk::render::{Options, Rendered, render};
-use halfdisk::scene::{Scene, gallery};
+use halfdisk::scene::Scene;
 
 /// Scenes that lack something.
 const SCENES: [&str; 6] = ["cornell", FINAL, "caustic", "gloss", "veach", "mesh"];
@@ -24,13 +24,7 @@ pub fn worth(desk: &mut Desk) -> Result<u64, DeskError> {
     let mut rays = 0;
     for effect in scene.inventory.effects().iter() {
         let leave: Without = [effect].into_iter().collect();
-        let without = Setup {
-            scene: gallery::load_with(FINAL, |said| {
-                said.film.size = [i64::from(side); 2];
-                leave.change(said);
-            })?,
-            wanted: leave.restrict(None),
-        };
+        let without = leave.of(scene.clone(), None)?;
         let found = difference(&with, &without, spp, rounds);
         let name = effect.name().replace('-', "_");
         let says = format!("without {}: light that is missing", effect.name());

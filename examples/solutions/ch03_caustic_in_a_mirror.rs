@@ -46,8 +46,8 @@ struct Share {
 }
 
 /// The share of these paths in a scene's light.
-fn share(name: &str, paths: &Expression, side: i64) -> Result<Share, Box<dyn Error>> {
-    let scene = gallery::load_with(name, |said| said.film.size = [side; 2])?;
+fn share(name: &str, paths: &Expression, side: u32) -> Result<Share, Box<dyn Error>> {
+    let scene = gallery::load(name)?.sized([side; 2]);
     let options = Options {
         spp: 8,
         ..Options::default()

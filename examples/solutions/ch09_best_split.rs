@@ -19,7 +19,7 @@ struct Shares {
 }
 
 fn scene() -> Result<Scene, SceneError> {
-    gallery::load_with("cornell", |said| said.film.size = [24; 2])
+    gallery::load("cornell").map(|scene| scene.sized([24; 2]))
 }
 
 fn paint(scene: &Scene, paths: u32, spp: u32) -> Rendered {

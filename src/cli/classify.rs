@@ -2,13 +2,14 @@
 
 use super::{Stop, answer, stem};
 use crate::desk::{Bar, on_ctrl_c, tell, whole};
+use crate::effects::by_class::by_class;
 use crate::effects::language::{self, Class, Finds, finds};
 use crate::effects::words::{Words, words_watched};
-use crate::integrators::{Entry, Integrator, LADDER, Path, Restricted};
+use crate::integrators::{Entry, LADDER, Path};
 use crate::notation::Word;
 use crate::numeric::count;
 use crate::output::{self, Display, Provenance};
-use crate::render::{self, Film, Options, Rendered};
+use crate::render::{Film, Options, Recorded};
 use crate::sampling::stream::Sampler;
 use crate::scene::{Scene, gallery};
 use clap::Args;
@@ -20,7 +21,7 @@ use std::path::PathBuf;
 ///
 /// Prints how much light each word and each class of words brings, and which integrator finds which
 /// class; writes a strip of pictures, one for each class, that add up to the last. Ctrl-C keeps the
-/// classes that are finished.
+/// samples that are finished.
 #[derive(Debug, Args)]
 #[command(after_help = AFTER_HELP)]
 pub struct Classify {
@@ -56,7 +57,14 @@ Examples:
 /// Renders whose scatter tells the error of a share.
 const REPLICATES: u32 = 4;
 /// Height of pictures nobody asked for in another size.
-const HEIGHT: i64 = 256;
+const HEIGHT: u32 = 256;
+
+/// The same shape at most so high.
+fn small([width, height]: [u32; 2]) -> [u32; 2] {
+    let smaller = height.min(HEIGHT);
+    let narrower = u64::from(width) * u64::from(smaller) / u64::from(height);
+    [narrower.max(1) as u32, smaller]
+}
 
 /// A class and its picture.
 struct Sorted {
@@ -66,16 +74,9 @@ struct Sorted {
 
 impl Classify {
     pub(super) fn run(self) -> Result<(), Stop> {
-        let scene = gallery::load_with(&self.scene, |said| {
-            said.film.size = match self.size {
-                Some(size) => size.map(i64::from),
-                None => {
-                    let [width, height] = said.film.size;
-                    let smaller = height.clamp(1, HEIGHT);
-                    [width.saturating_mul(smaller) / height.max(1), smaller]
-                }
-            }
-        })?;
+        let scene = gallery::load(&self.scene)?;
+        let size = self.size.unwrap_or_else(|| small(scene.size));
+        let scene = scene.sized(size);
         let Some(paths) = language::of_scene(&scene.inventory) else {
             return Err(Stop::Input(format!(
                 "{}: no light reaches the eye, so there is nothing to sort (see `halfdisk effects`)",
@@ -97,41 +98,27 @@ impl Classify {
         };
         let spp = u64::from(self.spp);
         let facts = Provenance::new(&scene, "path", path.max_depth, spp, self.seed);
-        let save = |films: &[&Film]| {
-            output::write_somewhere(&strip, &Film::beside(films), Display::Radiance, &facts)
-        };
         let there = |class: &Class| finds(&Path::ENTRY, *class, &scene.inventory) != Finds::Absent;
         let classes: Vec<Class> = Class::ALL.into_iter().filter(there).collect();
-        let (sorted, complete) = render(&scene, &classes, path, &options);
-        let films: Vec<&Film> = sorted.iter().map(|s| &s.film).collect();
-        let whole = complete.then(|| one(&scene, "all of it", &path, &options));
-        let Some(whole) = whole.filter(|whole| !whole.interrupted) else {
-            if films.is_empty() {
-                tell("interrupted before the first class was finished: nothing is written");
-                return Err(Stop::Interrupted);
-            }
-            let kept = save(&films)?;
-            let counts = films.iter().flat_map(|film| film.pixels());
-            let fewer = counts.map(|p| p.count()).min() < Some(spp);
-            tell(format_args!(
-                "interrupted: kept {} of {} classes in {}{}",
-                sorted.len(),
-                classes.len(),
-                kept.path.display(),
-                if fewer {
-                    ", the last one with fewer samples"
-                } else {
-                    ""
-                },
-            ));
-            if self.json {
-                answer(&(serde_json::to_string_pretty(&cut_short(&scene, &sorted))? + "\n"))?;
-            }
-            return Err(kept.complaint().map_or(Stop::Interrupted, Stop::Failure));
-        };
-        let whole = whole.film;
-        let off = largest_difference(&sorted, &whole);
-        let kept = save(&[films, vec![&whole]].concat())?;
+        let bar = Bar::new("classes", on_ctrl_c());
+        let Recorded {
+            rendered, pictures, ..
+        } = by_class(&scene, path, &classes, &options, &bar);
+        drop(bar);
+        let fewest = rendered.film.pixels().iter().map(|p| p.count()).min();
+        if rendered.interrupted && fewest == Some(0) {
+            tell("interrupted before the first sample: nothing is written");
+            return Err(Stop::Interrupted);
+        }
+        let sorted: Vec<Sorted> = (classes.into_iter().zip(pictures))
+            .map(|(class, film)| Sorted { class, film })
+            .collect();
+        let whole = &rendered.film;
+        let off = largest_difference(&sorted, whole);
+        let films = sorted.iter().map(|s| &s.film).chain([whole]);
+        let films: Vec<&Film> = films.collect();
+        let kept =
+            output::write_somewhere(&strip, &Film::beside(&films), Display::Radiance, &facts)?;
         let strip = &kept.path;
 
         let quarter = Options {
@@ -139,7 +126,10 @@ impl Classify {
             ..options
         };
         let bar = Bar::new("words", on_ctrl_c());
-        let words = words_watched(&scene, &path, &quarter, REPLICATES, &bar);
+        let words = match rendered.interrupted {
+            true => None,
+            false => words_watched(&scene, &path, &quarter, REPLICATES, &bar),
+        };
         drop(bar);
         if self.json {
             let words = words.as_ref();
@@ -159,36 +149,19 @@ impl Classify {
         if let Some(what) = kept.complaint() {
             return Err(Stop::Failure(what));
         }
+        if rendered.interrupted {
+            let fewest = fewest.unwrap_or(0);
+            tell(format_args!(
+                "interrupted: the classes have at least {fewest} of {spp} samples, the words were not counted"
+            ));
+            return Err(Stop::Interrupted);
+        }
         if words.is_none() {
             tell("interrupted: all classes are kept, the words were not counted");
             return Err(Stop::Interrupted);
         }
         Ok(())
     }
-}
-
-/// The picture of each class, and whether all were finished. One that was cut short is kept where every
-/// pixel has a sample.
-fn render(scene: &Scene, classes: &[Class], path: Path, options: &Options) -> (Vec<Sorted>, bool) {
-    let mut sorted = Vec::new();
-    for &class in classes {
-        let expression = class.expression();
-        let paths = expression.eye_first();
-        let Rendered {
-            film, interrupted, ..
-        } = one(scene, class.name(), &Restricted { path, paths }, options);
-        if !interrupted || film.pixels().iter().all(|p| p.count() > 0) {
-            sorted.push(Sorted { class, film });
-        }
-        if interrupted {
-            return (sorted, false);
-        }
-    }
-    (sorted, true)
-}
-
-fn one(scene: &Scene, what: &str, integrator: &impl Integrator, options: &Options) -> Rendered {
-    render::render(scene, integrator, options, &Bar::new(what, on_ctrl_c()))
 }
 
 /// By how much the sum of all classes misses the whole picture, in the worst pixel, relative to the
@@ -273,17 +246,6 @@ fn missing(entry: &Entry, scene: &Scene) -> Option<String> {
     let missing = all.light_first().difference(found.light_first());
     let words: Vec<String> = missing.shortest(6).iter().map(Word::to_string).collect();
     (!words.is_empty()).then(|| format!("{} misses {} …\n", entry.name, words.join(", ")))
-}
-
-/// What is known of some classes alone: not which share of the light they are.
-fn cut_short(scene: &Scene, sorted: &[Sorted]) -> serde_json::Value {
-    let class = |Sorted { class, film }: &Sorted| {
-        let (value, error) = film.mean();
-        let mean = json!({ "value": value, "error": error });
-        json!({ "class": class, "words": class.text(), "mean": mean })
-    };
-    let classes: Vec<_> = sorted.iter().map(class).collect();
-    json!({ "scene": scene.name, "interrupted": true, "classes": classes })
 }
 
 fn as_json(

@@ -7,8 +7,7 @@ use crate::effects::plan::{demand, never_a_path, reason};
 use crate::effects::without::Without;
 use crate::notation::Expression;
 use crate::render::Progress;
-use crate::scene::description::Description;
-use crate::scene::{Effect, Scene, gallery};
+use crate::scene::{Effect, Scene};
 use clap::Args;
 use serde_json::json;
 
@@ -45,46 +44,20 @@ impl Demand {
         self.paths.is_none() && self.without.is_empty()
     }
 
-    fn leaves_out(&self) -> Without {
-        self.without.iter().copied().collect()
-    }
-
-    /// The scene `name`, changed by the demand and by `change`, and which of its paths count. A
-    /// demand for light that is not there is a mistake, and not worth a black picture.
-    pub(super) fn load(
-        &self,
-        name: &str,
-        change: impl FnOnce(&mut Description),
-    ) -> Result<Setup, Stop> {
-        self.check_effects(name)?;
-        let setup = self.load_anything(name, change)?;
+    /// What is left of a scene, and which of its paths count. A demand for light that is not there is a
+    /// mistake, and not worth a black picture.
+    pub(super) fn of(&self, scene: Scene) -> Result<Setup, Stop> {
+        self.check_effects(&scene)?;
+        let without: Without = self.without.iter().copied().collect();
+        let setup = without.of(scene, self.paths.as_ref())?;
         if let Some(wanted) = &setup.wanted {
             self.check(&setup.scene, wanted)?;
         }
         Ok(setup)
     }
 
-    /// The same, though nothing may be left.
-    pub(super) fn load_anything(
-        &self,
-        name: &str,
-        change: impl FnOnce(&mut Description),
-    ) -> Result<Setup, Stop> {
-        let without = self.leaves_out();
-        let scene = gallery::load_with(name, |said| {
-            change(said);
-            without.change(said);
-        })?;
-        let wanted = without.restrict(self.paths.as_ref());
-        Ok(Setup { scene, wanted })
-    }
-
     /// What is not there cannot be left out.
-    fn check_effects(&self, name: &str) -> Result<(), Stop> {
-        if self.without.is_empty() {
-            return Ok(());
-        }
-        let scene = gallery::load(name)?;
+    fn check_effects(&self, scene: &Scene) -> Result<(), Stop> {
         let effects = scene.inventory.effects();
         match self.without.iter().find(|effect| !effects.has(**effect)) {
             None => Ok(()),
@@ -131,30 +104,26 @@ impl Demand {
         let names = self.without.iter().map(|effect| effect.name());
         suffix + &names.map(|name| format!("-{name}")).collect::<String>()
     }
+}
 
-    /// By how much the picture differs from that of all light: measured in a small picture. `None` where
-    /// it was asked to stop.
-    pub(super) fn bias(
-        &self,
-        name: &str,
-        size: [u32; 2],
-        spp: u32,
-        progress: &impl Progress,
-    ) -> Result<Option<Difference>, Stop> {
-        let small = |said: &mut Description| said.film.size = measured_size(size).map(i64::from);
-        let with = Setup {
-            scene: gallery::load_with(name, small)?,
-            wanted: None,
-        };
-        let without = self.load_anything(name, small)?;
-        Ok(difference_watched(
-            &with,
-            &without,
-            spp.min(16),
-            4,
-            progress,
-        ))
-    }
+/// By how much a picture of what is left differs from that of all light: measured in a small picture.
+/// `None` where it was asked to stop.
+pub(super) fn bias(
+    whole: Scene,
+    left: Setup,
+    spp: u32,
+    progress: &impl Progress,
+) -> Option<Difference> {
+    let size = measured_size(whole.size);
+    let with = Setup {
+        scene: whole.sized(size),
+        wanted: None,
+    };
+    let without = Setup {
+        scene: left.scene.sized(size),
+        ..left
+    };
+    difference_watched(&with, &without, spp.min(16), 4, progress)
 }
 
 /// An expression in letters that every file system takes: what `*`, `?` and `|` stand for is written

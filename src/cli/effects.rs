@@ -5,8 +5,8 @@ use super::{Stop, answer};
 use crate::desk::{Bar, on_ctrl_c, tell, whole};
 use crate::effects::measure::{Difference, Setup, difference_watched};
 use crate::effects::plan::{self, Plan, demand};
+use crate::effects::without::Without;
 use crate::numeric::count;
-use crate::scene::description::Description;
 use crate::scene::{Effect, Scene, gallery};
 use clap::Args;
 use indicatif::{ProgressBar, ProgressStyle};
@@ -63,7 +63,7 @@ struct Measurements {
 impl EffectsOf {
     pub(super) fn run(self) -> Result<(), Stop> {
         let scene = gallery::load(&self.scene)?;
-        let setup = self.demand.load(&self.scene, |_| {})?;
+        let setup = self.demand.of(scene.clone())?;
         let plan = plan::plan(&setup.scene);
         let left = setup
             .wanted
@@ -102,11 +102,8 @@ impl EffectsOf {
 
     /// Each effect that is simulated, with and without.
     fn measure(&self, scene: &Scene) -> Result<Measurements, Stop> {
-        let small = |said: &mut Description| {
-            said.film.size = measured_size(scene.size).map(i64::from);
-        };
         let full = Setup {
-            scene: gallery::load_with(&self.scene, small)?,
+            scene: scene.clone().sized(measured_size(scene.size)),
             wanted: None,
         };
         let stop = on_ctrl_c();
@@ -128,11 +125,7 @@ impl EffectsOf {
             |a: &Setup, b: &Setup| difference_watched(a, b, self.spp, self.rounds, &quiet);
         for effect in effects {
             bar.set_message(effect.name());
-            let only = Demand {
-                paths: None,
-                without: vec![effect],
-            };
-            let without = only.load_anything(&self.scene, small)?;
+            let without = Without::from_iter([effect]).of(full.scene.clone(), None)?;
             let Some(difference) = compare(&full, &without) else {
                 break;
             };

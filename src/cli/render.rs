@@ -1,6 +1,6 @@
 //! `halfdisk render`.
 
-use super::demand::{Demand, bias_line};
+use super::demand::{Demand, bias, bias_line};
 use super::left_out::LeftOut;
 use super::maps::Maps;
 use super::report::{as_json, rarely_asked_line, report};
@@ -16,7 +16,7 @@ use crate::output::{self, Display, Provenance};
 use crate::render::target::{Outcome, render_to};
 use crate::render::{self, Options, Rendered};
 use crate::sampling::stream::Sampler;
-use crate::scene::{Scene, build::film_size, field::Field};
+use crate::scene::{Scene, build::film_size, field::Field, gallery};
 use clap::builder::{PossibleValue, PossibleValuesParser, TypedValueParser};
 use clap::{Args, ValueEnum};
 use serde_json::json;
@@ -119,11 +119,13 @@ impl Render {
         if cfg!(debug_assertions) && !self.quiet {
             tell("note: built for development; `cargo run --release` is several times faster");
         }
-        let Setup { mut scene, wanted } = self.demand.load(&self.scene, |description| {
-            if let Some(size) = self.size {
-                description.film.size = size.map(i64::from);
-            }
-        })?;
+        let mut whole = gallery::load(&self.scene)?;
+        if let Some(size) = self.size {
+            whole = whole.sized(size);
+        }
+        // Kept to be compared with what is left of it.
+        let compared = (!self.demand.is_everything()).then(|| whole.clone());
+        let Setup { mut scene, wanted } = self.demand.of(whole)?;
         if wanted.is_some() && self.integrator != PathTracer::ENTRY {
             return Err(Stop::Input(format!(
                 "--integrator {}: only `path` knows which paths it follows, and can leave some out",
@@ -184,14 +186,15 @@ impl Render {
         let path = &kept.path;
         let goal = self.ending.goal();
         let maps = self.maps.write(path, &rendered.film, &goal);
-        let biased = !self.demand.is_everything() && !rendered.interrupted;
-        let bias = if biased {
-            let quiet = Bar::hidden(on_ctrl_c());
-            self.demand
-                .bias(&self.scene, scene.size, outcome.spp, &quiet)?
-        } else {
-            None
-        };
+        let compared = compared.filter(|_| !rendered.interrupted);
+        let biased = compared.is_some();
+        let bias = compared.and_then(|whole| {
+            let left = Setup {
+                scene: scene.clone(),
+                wanted: wanted.clone(),
+            };
+            bias(whole, left, outcome.spp, &Bar::hidden(on_ctrl_c()))
+        });
         let unmeasured = biased && bias.is_none();
         let too_bright = self.too_bright(&scene, rendered, max_depth);
         let black = left_out

@@ -3,6 +3,7 @@
 //!
 //! * [`mod@plan`]: what is simulated and what is not, with reasons, from the scene alone;
 //! * [`language`]: the light paths of a scene, of an integrator, of a class, as expressions;
+//! * [`by_class`](mod@by_class): the light of a picture by the classes of its paths;
 //! * [`missed`](mod@missed): light that an integrator cannot find;
 //! * [`black`]: why a picture is black;
 //! * [`without`]: an effect left out on purpose;
@@ -10,6 +11,7 @@
 //! * [`measure`]: what an effect costs in time, and what it changes in the picture.
 
 pub mod black;
+pub mod by_class;
 pub mod language;
 pub mod measure;
 pub mod missed;

@@ -2,9 +2,10 @@
 //! much.
 
 use super::language::{self, Class, Wanted};
+use super::measure::Setup;
 use crate::notation::Expression;
-use crate::scene::Effect;
 use crate::scene::description::{Color, Description, Lambert, Material};
+use crate::scene::{Effect, Scene, SceneError};
 
 /// What is left out.
 #[derive(Clone, Debug, Default)]
@@ -25,6 +26,16 @@ impl Without {
     /// The effects.
     pub fn effects(&self) -> &[Effect] {
         &self.0
+    }
+
+    /// What is left of a scene and of the paths that are wanted, or else of all.
+    pub fn of(&self, scene: Scene, paths: Option<&Expression>) -> Result<Setup, SceneError> {
+        let scene = match self.is_empty() {
+            true => scene,
+            false => scene.changed(|said| self.change(said))?,
+        };
+        let wanted = self.restrict(paths);
+        Ok(Setup { scene, wanted })
     }
 
     /// Takes lights, lens and motion out of a scene before it is built.

@@ -2,13 +2,14 @@
 //! under its word.
 
 use crate::color::Rgb;
+use crate::geometry::Ray;
 use crate::integrators::{Follow, Path};
 use crate::materials::Event;
 use crate::notation::{Letter, Word};
-use crate::render::{Options, Progress, camera_sample};
+use crate::render::{Options, Progress, Recorded, Recorder, record};
+use crate::sampling::stream::Stream;
 use crate::scene::{Scene, Tracer};
 use crate::stats::Estimate;
-use rayon::prelude::*;
 use std::collections::BTreeMap;
 
 /// The light of one word in a picture.
@@ -61,11 +62,27 @@ pub fn words_watched(
             seed: options.seed + u64::from(replicate),
             ..*options
         };
-        let (sums, sum, traced) = one_render(scene, path, &options, progress)?;
-        progress.tell(u64::from(replicate) + 1, u64::from(replicates));
-        rays += traced;
+        let progress = Replicates {
+            progress,
+            done: replicate.into(),
+            all: replicates.into(),
+        };
+        let Recorded {
+            rendered, notes, ..
+        } = record(scene, &Spelling(path), &options, &progress);
+        if rendered.interrupted {
+            return None;
+        }
+        rays += rendered.rays.total();
+        total.add(rendered.film.mean().0);
         let samples = f64::from(scene.size[0]) * f64::from(scene.size[1]) * f64::from(options.spp);
-        total.add(sum / (3.0 * samples));
+        // In the order of tiles, so that the sums are the same on any number of threads.
+        let mut sums = Sums::new();
+        for (code, booked) in notes.into_iter().flatten() {
+            let entry = sums.entry(code).or_default();
+            entry.light += booked.light;
+            entry.paths += booked.paths;
+        }
         for (code, booked) in sums {
             let share = shares.entry(spell(code)).or_default();
             // Replicates before in which the word did not occur count as 0.
@@ -97,60 +114,62 @@ struct Booked {
 
 type Sums = BTreeMap<u64, Booked>;
 
-fn one_render(
-    scene: &Scene,
-    path: &Path,
-    options: &Options,
-    progress: &impl Progress,
-) -> Option<(Sums, f64, u64)> {
-    let [width, height] = scene.size;
-    let rows: Option<Vec<(Sums, f64, u64)>> = (0..height)
-        .into_par_iter()
-        .map(|y| {
-            let mut tracer = Tracer::new(scene);
-            let mut speller = Speller::default();
-            let mut sum = 0.0;
-            for x in 0..width {
-                for sample in 0..options.spp {
-                    if progress.stop() {
-                        return None;
-                    }
-                    let (ray, stream) = camera_sample(&mut tracer, options, [x, y], sample);
-                    speller.code = 1;
-                    speller.li = Rgb::BLACK;
-                    path.trace(&mut tracer, &ray, &stream, &mut speller);
-                    sum += channels(speller.li);
-                }
-            }
-            Some((speller.sums, sum, tracer.counts().total()))
-        })
-        .collect();
-    // In the order of rows, so that the sums are the same on any number of threads.
-    let mut all = Sums::new();
-    let (mut total, mut rays) = (0.0, 0);
-    for (sums, sum, traced) in rows? {
-        total += sum;
-        rays += traced;
-        for (code, booked) in sums {
-            let entry = all.entry(code).or_default();
-            entry.light += booked.light;
-            entry.paths += booked.paths;
-        }
+/// Spells the paths of a path tracer.
+struct Spelling<'a>(&'a Path);
+
+impl Recorder for Spelling<'_> {
+    type Notes = Sums;
+
+    fn pictures(&self) -> usize {
+        0
     }
-    Some((all, total, rays))
+
+    fn record(
+        &self,
+        tracer: &mut Tracer,
+        ray: &Ray,
+        stream: &Stream,
+        _: &mut [Rgb],
+        sums: &mut Sums,
+    ) -> Rgb {
+        let mut speller = Speller {
+            code: 1,
+            li: Rgb::BLACK,
+            sums,
+        };
+        self.0.trace(tracer, ray, stream, &mut speller);
+        speller.li
+    }
+}
+
+/// Tells how many of some renders are finished.
+struct Replicates<'a, P> {
+    progress: &'a P,
+    done: u64,
+    all: u64,
+}
+
+impl<P: Progress> Progress for Replicates<'_, P> {
+    fn tell(&self, done: u64, total: u64) {
+        self.progress
+            .tell(self.done * total + done, self.all * total);
+    }
+
+    fn stop(&self) -> bool {
+        self.progress.stop()
+    }
 }
 
 /// Books light under the word of its path.
-#[derive(Default)]
-struct Speller {
+struct Speller<'a> {
     /// The surfaces so far, from the eye: a one, then two bits for each.
     code: u64,
     /// The light of the path, whatever its words.
     li: Rgb,
-    sums: Sums,
+    sums: &'a mut Sums,
 }
 
-impl Speller {
+impl Speller<'_> {
     fn book(&mut self, code: u64, li: Rgb) {
         if !li.is_black() {
             self.li += li;
@@ -161,7 +180,7 @@ impl Speller {
     }
 }
 
-impl Follow for Speller {
+impl Follow for Speller<'_> {
     fn scattered(&mut self, event: Event) -> bool {
         self.code = longer(self.code, event);
         true

@@ -263,7 +263,7 @@ mod tests {
     #[test]
     fn a_kernel_without_something_that_is_there_is_noticed() {
         let path = Path::new(6);
-        let load = |name| gallery::load_with(name, |said| said.film.size = [16, 12]).expect(name);
+        let load = |name| gallery::load(name).expect(name).sized([16, 12]);
         let diffuse =
             Always(|t: &mut Tracer, r: &Ray, s: &Stream| path.still::<{ kinds::DIFFUSE }>(t, r, s));
         let no_motion =

@@ -2,12 +2,13 @@
 
 use super::clock::Clock;
 use super::progress::Progress;
+use super::recorder::{Recorded, Recorder};
+use super::tile::{Tile, tiles};
 use super::watch::{Faults, Watch};
 use super::{BadSample, Film, Pixel};
-use crate::geometry::Ray;
 use crate::integrators::Integrator;
-use crate::sampling::stream::{EVEN_SAMPLES, Purpose, Sampler, Stream, even_run};
-use crate::scene::{RayCounts, Scene, Tracer};
+use crate::sampling::stream::{EVEN_SAMPLES, Purpose, Sampler, even_run};
+use crate::scene::{RayCounts, Scene};
 use rayon::prelude::*;
 use std::ops::Range;
 use std::sync::atomic::{AtomicBool, AtomicU64, Ordering};
@@ -101,26 +102,47 @@ pub fn render(
     session.finish()
 }
 
+/// Renders a scene with all that a recorder keeps of its samples, on the threads of the current rayon
+/// pool.
+pub fn record<R: Recorder>(
+    scene: &Scene,
+    recorder: &R,
+    options: &Options,
+    progress: &dyn Progress,
+) -> Recorded<R::Notes> {
+    let mut session = Session::new(scene, recorder, options);
+    session.advance(options.spp, progress);
+    Recorded {
+        pictures: (0..recorder.pictures())
+            .map(|i| {
+                session.picture(|tile| tile.further.iter().skip(i).step_by(recorder.pictures()))
+            })
+            .collect(),
+        notes: session.tiles.iter().map(|t| t.notes.clone()).collect(),
+        rendered: session.finish(),
+    }
+}
+
 /// A render that can be looked at and taken further: the film after `n` samples is that of a render
 /// of `n` samples, bit for bit, wherever it paused before.
-pub struct Session<'a> {
+pub struct Session<'a, R: Recorder + ?Sized = dyn Integrator + 'a> {
     scene: &'a Scene,
-    integrator: &'a dyn Integrator,
+    recorder: &'a R,
     options: Options,
-    tiles: Vec<Tile>,
+    tiles: Vec<Tile<R::Notes>>,
     spp: u32,
     time: Duration,
     interrupted: bool,
 }
 
-impl<'a> Session<'a> {
+impl<'a, R: Recorder + ?Sized> Session<'a, R> {
     /// A render without any sample yet; `options.spp` is how many it tells that there will be.
-    pub fn new(scene: &'a Scene, integrator: &'a dyn Integrator, options: &Options) -> Self {
+    pub fn new(scene: &'a Scene, recorder: &'a R, options: &Options) -> Self {
         Session {
             scene,
-            integrator,
+            recorder,
             options: *options,
-            tiles: tiles(scene.size, options.tile.max(1)),
+            tiles: tiles(scene.size, options.tile.max(1), recorder.pictures()),
             spp: 0,
             time: Duration::ZERO,
             interrupted: false,
@@ -134,7 +156,7 @@ impl<'a> Session<'a> {
     /// interrupted render is a picture everywhere.
     pub fn advance(&mut self, spp: u32, progress: &dyn Progress) {
         let start = Instant::now();
-        let (scene, integrator, options) = (self.scene, self.integrator, &self.options);
+        let (scene, recorder, options) = (self.scene, self.recorder, &self.options);
         let pixels = u64::from(scene.size[0]) * u64::from(scene.size[1]);
         let total = pixels * u64::from(spp.max(options.spp));
         let done = AtomicU64::new(pixels * u64::from(self.spp));
@@ -143,7 +165,7 @@ impl<'a> Session<'a> {
 
         for pass in passes(self.spp, spp) {
             self.tiles.par_iter_mut().for_each(|tile| {
-                if !tile.sample(scene, integrator, options, pass.clone(), &stop) {
+                if !tile.sample(scene, recorder, options, pass.clone(), &stop) {
                     interrupted.store(true, Ordering::Relaxed);
                     return;
                 }
@@ -183,7 +205,7 @@ impl<'a> Session<'a> {
             clock.tell();
         }
         let start = Instant::now();
-        let (scene, integrator, options) = (self.scene, self.integrator, &self.options);
+        let (scene, recorder, options) = (self.scene, self.recorder, &self.options);
         let stop = || clock.late() || progress.stop();
         let mut late = false;
         while self.spp < spp && !self.interrupted && !late {
@@ -194,12 +216,12 @@ impl<'a> Session<'a> {
             let Some(pass) = passes(self.spp, most).next() else {
                 break;
             };
-            let one = |tile: &Tile| {
+            let one = |tile: &Tile<R::Notes>| {
                 let mut tile = tile.clone();
-                let whole = tile.sample(scene, integrator, options, pass.clone(), &stop);
+                let whole = tile.sample(scene, recorder, options, pass.clone(), &stop);
                 (tile, whole)
             };
-            let next: Vec<(Tile, bool)> = self.tiles.par_iter().map(one).collect();
+            let next: Vec<(Tile<R::Notes>, bool)> = self.tiles.par_iter().map(one).collect();
             late = clock.late();
             if !late {
                 // Who stops a render keeps what there is.
@@ -241,14 +263,24 @@ impl<'a> Session<'a> {
 
     /// The picture so far.
     pub fn film(&self) -> Film {
+        self.picture(|tile| tile.pixels.iter())
+    }
+
+    /// The picture of some pixels of each tile, row by row.
+    fn picture<'t, I: Iterator<Item = &'t Pixel>>(
+        &'t self,
+        of_tile: impl Fn(&'t Tile<R::Notes>) -> I,
+    ) -> Film {
         let [width, height] = self.scene.size;
         let mut pixels = vec![Pixel::default(); width as usize * height as usize];
         for tile in &self.tiles {
-            let columns = tile.x.len();
-            for (row, y) in tile.pixels.chunks(columns).zip(tile.y.clone()) {
-                let start = y as usize * width as usize + tile.x.start as usize;
-                pixels[start..start + columns].copy_from_slice(row);
-            }
+            let places = tile.y.clone().flat_map(|y| {
+                let row = y as usize * width as usize;
+                tile.x.clone().map(move |x| row + x as usize)
+            });
+            places
+                .zip(of_tile(tile))
+                .for_each(|(at, pixel)| pixels[at] = *pixel);
         }
         Film::new(width, pixels)
     }
@@ -283,96 +315,4 @@ fn passes(mut start: u32, end: u32) -> impl Iterator<Item = Range<u32>> {
         start = pass.end;
         (!pass.is_empty()).then_some(pass)
     })
-}
-
-/// A rectangle of pixels and what its samples added up to.
-#[derive(Clone, Debug)]
-struct Tile {
-    x: Range<u32>,
-    y: Range<u32>,
-    /// Row by row.
-    pixels: Vec<Pixel>,
-    rays: RayCounts,
-    watch: Watch,
-    lamps_met: u64,
-}
-
-fn tiles([width, height]: [u32; 2], side: u32) -> Vec<Tile> {
-    let starts = |end: u32| (0..end).step_by(side as usize);
-    starts(height)
-        .flat_map(|y| starts(width).map(move |x| (x, y)))
-        .map(|(x, y)| {
-            let x = x..width.min(x.saturating_add(side));
-            let y = y..height.min(y.saturating_add(side));
-            let count = x.len() * y.len();
-            Tile {
-                x,
-                y,
-                pixels: vec![Pixel::default(); count],
-                rays: RayCounts::default(),
-                watch: Watch::default(),
-                lamps_met: 0,
-            }
-        })
-        .collect()
-}
-
-impl Tile {
-    /// Takes the samples of a pass; false where it was stopped before its last pixel. It asks before each
-    /// sample: a pass over a tile may have thousands, and a sample take a millisecond.
-    fn sample(
-        &mut self,
-        scene: &Scene,
-        integrator: &dyn Integrator,
-        options: &Options,
-        pass: Range<u32>,
-        stop: &(dyn Fn() -> bool + Sync),
-    ) -> bool {
-        let mut tracer = Tracer::new(scene);
-        let run = even_run(pass.start);
-        let ends_run = options.sampler == Sampler::Sobol && pass.end == run.end;
-        let mut whole = true;
-        'pixels: for (y, row) in self.y.clone().zip(self.pixels.chunks_mut(self.x.len())) {
-            for (x, pixel) in self.x.clone().zip(row) {
-                for sample in pass.clone() {
-                    whole = !stop();
-                    if !whole {
-                        break 'pixels;
-                    }
-                    let (ray, stream) = camera_sample(&mut tracer, options, [x, y], sample);
-                    let li = integrator.li(&mut tracer, &ray, &stream);
-                    if self.watch.admits(li, BadSample { x, y, sample }) {
-                        pixel.add(li);
-                    }
-                }
-                if ends_run {
-                    pixel.end_run(run.end == 2 * run.start);
-                }
-            }
-        }
-        self.rays += tracer.counts();
-        self.lamps_met |= tracer.lamps_met();
-        whole
-    }
-}
-
-/// The camera ray of sample `sample` of the pixel in column `x` and row `y`, and its random numbers.
-/// The tracer looks at the scene when the ray does.
-pub fn camera_sample(
-    tracer: &mut Tracer,
-    options: &Options,
-    [x, y]: [u32; 2],
-    sample: u32,
-) -> (Ray, Stream) {
-    let scene = tracer.scene();
-    let [width, height] = scene.size;
-    let stream =
-        Stream::with(options.sampler, options.seed, y * width + x, sample).fixing(options.fixed);
-    let [u, v] = stream.at(0, Purpose::Pixel).two();
-    let s = (x as f32 + u) / width as f32;
-    let t = (y as f32 + v) / height as f32;
-    if scene.moves() {
-        tracer.at_time(stream.at(0, Purpose::Time).one());
-    }
-    (scene.camera.sample_ray(s, t, &stream), stream)
 }

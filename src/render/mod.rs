@@ -12,11 +12,15 @@ mod film_loop;
 mod goal;
 mod picture;
 mod progress;
+mod recorder;
 pub mod target;
+mod tile;
 mod watch;
 
 pub use film::{BadSample, Film, Pixel};
-pub use film_loop::{Options, Rendered, Session, camera_sample, render, rounding};
+pub use film_loop::{Options, Rendered, Session, record, render, rounding};
 pub use picture::Picture;
 pub use progress::Progress;
+pub use recorder::{Recorded, Recorder};
+pub use tile::camera_sample;
 pub use watch::{Faults, too_bright};

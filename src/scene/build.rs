@@ -4,9 +4,10 @@ mod materials;
 mod meshes;
 mod notes;
 
-use super::description::{self as said, Description};
+use super::description as said;
 use super::field::{self, Checked, Field, exactly_one};
 use super::lamps::Emission;
+use super::made_from::MadeFrom;
 use super::motion::{self, Shutter};
 use super::parts::Parts;
 use super::placement::Placement;
@@ -20,7 +21,7 @@ use crate::lights::{Light, LightChoice, SkyLight};
 use crate::materials::Material;
 use glam::{DVec3, Vec3};
 use std::collections::BTreeSet;
-use std::path::Path;
+use std::sync::Arc;
 use std::time::Duration;
 
 /// Pixels an image may have: its film takes 72 bytes each.
@@ -28,8 +29,9 @@ const MAX_PIXELS: u64 = 1 << 25;
 /// Longest side of an image.
 const MAX_SIDE: u32 = 65_536;
 
-/// Checks a description and builds its scene; meshes are looked for in `folder`.
-pub fn build(said: &Description, folder: Option<&Path>) -> Checked<Scene> {
+/// Checks a description and builds its scene.
+pub(super) fn build(from: &Arc<MadeFrom>) -> Checked<Scene> {
+    let (said, folder) = (&from.description, from.folder.as_deref());
     let top = Field::top();
     if said.name.trim().is_empty() {
         return Err(top.key("name").problem("must not be empty"));
@@ -109,6 +111,7 @@ pub fn build(said: &Description, folder: Option<&Path>) -> Checked<Scene> {
         ..parts.inventory
     };
     Ok(Scene {
+        made_from: Arc::clone(from),
         name: said.name.clone(),
         about: said.about.clone(),
         camera,
@@ -125,7 +128,7 @@ pub fn build(said: &Description, folder: Option<&Path>) -> Checked<Scene> {
             degenerate_triangles: parts.degenerate_triangles,
             coarse,
             hidden_lamps: parts.hidden_lamps,
-            files: Vec::new(),
+            files: from.files.clone(),
             notes: parts.notes,
             time: Duration::ZERO,
         },

@@ -1,11 +1,10 @@
 //! The scenes that come with the program, and how a name or a path becomes a scene.
 
-use super::build::build;
+use super::made_from::MadeFrom;
 use super::read::{self, SceneError, Source};
 use super::{Scene, description::Description};
 use std::borrow::Cow;
 use std::path::Path;
-use std::time::Instant;
 
 /// The gallery: name and text of each scene, in the order in which it is listed.
 pub const GALLERY: &[(&str, &str)] = &[
@@ -75,11 +74,11 @@ pub fn load_with(scene: &str, change: impl FnOnce(&mut Description)) -> Result<S
         file: scene,
         text: &text,
     };
-    let mut scene = from_text(source, folder, change)?;
+    let mut made_from = MadeFrom::new(source, folder)?;
     if folder.is_some() {
-        scene.report.files.push(source.file.into());
+        made_from.files.push(source.file.into());
     }
-    Ok(scene)
+    made_from.build(change)
 }
 
 /// The error of a name that is neither in the gallery nor a file.
@@ -93,15 +92,5 @@ pub fn from_text(
     folder: Option<&Path>,
     change: impl FnOnce(&mut Description),
 ) -> Result<Scene, SceneError> {
-    let start = Instant::now();
-    let mut description: Description = source.parse()?;
-    // Before the change, which may have no use for some of them.
-    let beside = folder.unwrap_or(Path::new(""));
-    let files = description.files().map(|f| beside.join(f));
-    let files = files.collect();
-    change(&mut description);
-    let mut scene = build(&description, folder).map_err(|problem| source.locate(&problem))?;
-    scene.report.files = files;
-    scene.report.time = start.elapsed();
-    Ok(scene)
+    MadeFrom::new(source, folder)?.build(change)
 }

@@ -16,6 +16,7 @@ pub mod gallery;
 pub mod image_file;
 mod images;
 mod lamps;
+mod made_from;
 pub mod mesh_file;
 mod motion;
 mod parts;
@@ -40,9 +41,12 @@ use crate::geometry::Bvh;
 use crate::lights::{Light, LightChoice};
 use crate::materials::Material;
 use contacts::Contacts;
+use description::Description;
 use glam::Vec3;
+use made_from::MadeFrom;
 use motion::InMotion;
 use std::path::{Path, PathBuf};
+use std::sync::Arc;
 use std::time::Duration;
 
 /// A scene ready to be rendered.
@@ -78,6 +82,7 @@ pub struct Scene {
     pub inventory: Inventory,
     /// What happened while the scene was built.
     pub report: BuildReport,
+    made_from: Arc<MadeFrom>,
     background: Rgb,
     kinds: u8,
     /// True where nothing shines and nobody need look.
@@ -93,6 +98,32 @@ pub struct Scene {
 }
 
 impl Scene {
+    /// The same scene as an image of another size.
+    ///
+    /// # Panics
+    ///
+    /// Where a side has no pixel.
+    #[must_use]
+    pub fn sized(self, [width, height]: [u32; 2]) -> Scene {
+        assert!(
+            width > 0 && height > 0,
+            "an image of {width} x {height} pixels"
+        );
+        Scene {
+            camera: self
+                .camera
+                .with_aspect(f64::from(width) / f64::from(height)),
+            size: [width, height],
+            ..self
+        }
+    }
+
+    /// The scene that its description, with a change, describes: an image of the same size.
+    pub fn changed(&self, change: impl FnOnce(&mut Description)) -> Result<Scene, SceneError> {
+        let scene = self.made_from.as_ref().clone().build(change)?;
+        Ok(scene.sized(self.size))
+    }
+
     /// True where anything moves while the shutter is open.
     pub fn moves(&self) -> bool {
         self.in_motion.is_some()

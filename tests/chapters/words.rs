@@ -144,7 +144,7 @@ fn apart(scene: &Scene, paths: &Expression) -> [f64; 2] {
 
 #[test]
 fn s0_02_whitteds_picture_is_that_of_its_words() {
-    let scene = gallery::load_with("spheres", |said| said.film.size = [32, 32]).unwrap();
+    let scene = gallery::load("spheres").unwrap().sized([32, 32]);
     let own = of_lamps(&Whitted::ENTRY).unwrap();
     let [means, squares] = apart(&scene, &own);
     assert!(means.abs() <= 4.4, "{means}");

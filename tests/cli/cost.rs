@@ -79,7 +79,7 @@ fn a_scene_of_ones_own_and_json() {
     // Lamps without extent: walks by chance cannot render this.
     assert_eq!(json["methods"].as_array().unwrap().len(), 7);
     let page = std::fs::read_to_string(folder.path().join("here/index.html")).unwrap();
-    assert!(page.contains("kajiya: no walk meets a light without extent by chance"));
+    assert!(page.contains("kajiya: a random walk never meets a point or a direction"));
 }
 
 #[test]
@@ -95,7 +95,7 @@ fn what_it_cannot_do_it_says() {
         &["cost", "whitted", "--methods", "kajiya"],
         2,
     );
-    assert!(sentence.contains("without extent"), "{sentence}");
+    assert!(sentence.contains("never meets a point"), "{sentence}");
     refused(folder.path(), &["cost", "nowhere"], 2);
     for arguments in [
         &["cost"][..],

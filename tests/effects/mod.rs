@@ -10,10 +10,10 @@ use halfdisk::sampling::stream::Sampler;
 use halfdisk::scene::read::Source;
 use halfdisk::scene::{Effect, Scene, gallery};
 
-pub const SMALL: [i64; 2] = [24, 18];
+pub const SMALL: [u32; 2] = [24, 18];
 
 pub fn small(name: &str) -> Scene {
-    gallery::load_with(name, |said| said.film.size = SMALL).unwrap()
+    gallery::load(name).unwrap().sized(SMALL)
 }
 
 /// A room with an open side: what follows `[camera]` goes on with `more`.

@@ -2,6 +2,7 @@
 
 use super::{FLOOR, LAMP, POINT, path, scene, small, with};
 use crate::cli::{complaint, folder, halfdisk};
+use halfdisk::effects::by_class::by_class;
 use halfdisk::effects::language::{Class, Wanted, everything};
 use halfdisk::effects::measure::{Setup, difference};
 use halfdisk::effects::plan::{demand, plan};
@@ -9,6 +10,7 @@ use halfdisk::effects::words::words;
 use halfdisk::integrators::{Path, Restricted};
 use halfdisk::notation::Expression;
 use halfdisk::render::{Options, render};
+use halfdisk::sampling::stream::Sampler;
 use std::fs;
 
 #[test]
@@ -176,5 +178,32 @@ fn reasons_speak_of_aiming_only_where_something_can_aim() {
         let mirrored = reason(&(light.to_owned() + &mirror), line);
         let says = |text: &str| text.contains("aimed at") || text.contains("shadow rays");
         assert!(says(&lit) && !says(&mirrored), "{lit} {mirrored}");
+    }
+}
+
+#[test]
+fn one_render_sorts_the_light_into_the_pictures_of_each_class_alone() {
+    for (name, sampler) in [
+        ("final", Sampler::Sobol),
+        ("caustic", Sampler::Sobol),
+        ("gloss", Sampler::Independent),
+    ] {
+        let scene = small(name);
+        let path = Path::new(scene.suggested.max_depth);
+        let options = Options {
+            // More than a run of even samples: their errors are sorted, too.
+            spp: 130,
+            sampler,
+            ..Options::default()
+        };
+        let recorded = by_class(&scene, path, &Class::ALL, &options, &());
+        let whole = render(&scene, &path, &options, &()).film;
+        assert_eq!(recorded.rendered.film, whole, "{name}");
+        for (class, picture) in Class::ALL.into_iter().zip(&recorded.pictures) {
+            let expression = class.expression();
+            let paths = expression.eye_first();
+            let alone = render(&scene, &Restricted { path, paths }, &options, &()).film;
+            assert_eq!(picture, &alone, "{name}, {}", class.name());
+        }
     }
 }

@@ -8,7 +8,7 @@ use halfdisk::integrators::{Integrator, Kajiya, LADDER, Normals, Path, Roulette}
 use halfdisk::numeric::naive;
 use halfdisk::render::{Faults, Options, Pixel, Rendered, render, too_bright};
 use halfdisk::sampling::stream::{Purpose, Sampler, Stream};
-use halfdisk::scene::gallery::{self, GALLERY, load_with};
+use halfdisk::scene::gallery::{self, GALLERY, load};
 use halfdisk::scene::read::Source;
 use halfdisk::scene::{Scene, SceneError, Tracer};
 use halfdisk::stats::Estimate;
@@ -111,7 +111,7 @@ fn a39_injected_faults_are_counted_exactly_and_spoil_no_other_sample() {
 fn a39_no_sample_of_the_gallery_is_at_fault() {
     let (mut samples, mut largest) = (0, 0.0_f32);
     for (name, _) in GALLERY {
-        let scene = load_with(name, |said| said.film.size = [32, 24]).expect("a scene");
+        let scene = load(name).expect("a scene").sized([32, 24]);
         let depth = scene.suggested.max_depth.min(10);
         for integrator in LADDER {
             let by = integrator.name;
@@ -153,7 +153,7 @@ impl Integrator for Lavish {
 #[test]
 fn a39_more_light_than_there_is_is_noticed() {
     // A closed room whose walls glow: 1 / (1 - 0.5) everywhere.
-    let furnace = gallery::load_with("furnace", |said| said.film.size = [32, 32]).unwrap();
+    let furnace = gallery::load("furnace").unwrap().sized([32, 32]);
     let bound = furnace.brightest(30).expect("lamps with extent only");
     let above = |share| {
         let film = render(&furnace, &Lavish(share), &options(32), &()).film;

@@ -211,8 +211,8 @@ fn a_slab_and_a_corridor_of_mirrors_by_single_paths() {
 }
 
 /// A picture of a gallery scene.
-fn picture(name: &str, side: i64, integrator: &impl Integrator, spp: u32, seed: u64) -> Film {
-    let small = gallery::load_with(name, |said| said.film.size = [side; 2]).unwrap();
+fn picture(name: &str, side: u32, integrator: &impl Integrator, spp: u32, seed: u64) -> Film {
+    let small = gallery::load(name).unwrap().sized([side; 2]);
     let options = Options {
         spp,
         seed,

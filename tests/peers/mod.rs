@@ -23,11 +23,7 @@ fn reference(name: &str) -> Picture {
 }
 
 fn scene(name: &str, change: impl FnOnce(&mut Description)) -> Scene {
-    gallery::load_with(name, |said| {
-        said.film.size = [i64::from(SIDE); 2];
-        change(said);
-    })
-    .unwrap()
+    gallery::load_with(name, change).unwrap().sized([SIDE; 2])
 }
 
 fn picture(scene: &Scene, integrator: &impl Integrator, sampler: Sampler, spp: u32) -> Picture {

@@ -104,14 +104,9 @@ impl Cost {
         if cfg!(debug_assertions) {
             tell("note: built for development; `cargo run --release` is several times faster");
         }
-        let mut full = [0; 2];
-        let scene = gallery::load_with(&self.scene, |said| {
-            full = said
-                .film
-                .size
-                .map(|n| n.clamp(1, i64::from(u32::MAX)) as u32);
-            said.film.size = self.size.unwrap_or_else(|| small(full)).map(i64::from);
-        })?;
+        let scene = gallery::load(&self.scene)?;
+        let full = scene.size;
+        let scene = scene.sized(self.size.unwrap_or_else(|| small(full)));
         let (methods, left_out) = self.methods(&scene)?;
         let folder = self.folder(&scene, &methods)?;
         use_threads(None)?;

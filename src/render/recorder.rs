@@ -1,0 +1,60 @@
+//! Samples of which more is kept than their radiance.
+
+use super::{Film, Rendered};
+use crate::color::Rgb;
+use crate::geometry::Ray;
+use crate::integrators::Integrator;
+use crate::sampling::stream::Stream;
+use crate::scene::Tracer;
+
+/// Takes the samples of a picture, and records their parts in further pictures or notes.
+///
+/// Every [`Integrator`] is one that records nothing else.
+pub trait Recorder: Sync {
+    /// What is noted of the samples of a tile.
+    type Notes: Clone + Default + Send + Sync;
+
+    /// How many further pictures there are.
+    fn pictures(&self) -> usize;
+
+    /// One sample of the radiance that arrives along `ray`, in W/(m² sr). Its parts in the further pictures
+    /// go to `parts`.
+    fn record(
+        &self,
+        tracer: &mut Tracer,
+        ray: &Ray,
+        stream: &Stream,
+        parts: &mut [Rgb],
+        notes: &mut Self::Notes,
+    ) -> Rgb;
+}
+
+impl<I: Integrator + ?Sized> Recorder for I {
+    type Notes = ();
+
+    fn pictures(&self) -> usize {
+        0
+    }
+
+    fn record(
+        &self,
+        tracer: &mut Tracer,
+        ray: &Ray,
+        stream: &Stream,
+        _: &mut [Rgb],
+        _: &mut (),
+    ) -> Rgb {
+        self.li(tracer, ray, stream)
+    }
+}
+
+/// A render, and what was recorded of its samples.
+#[derive(Clone, Debug)]
+pub struct Recorded<Notes> {
+    /// The picture.
+    pub rendered: Rendered,
+    /// The further pictures.
+    pub pictures: Vec<Film>,
+    /// The notes of each tile, in a fixed order.
+    pub notes: Vec<Notes>,
+}

@@ -1,0 +1,121 @@
+//! The pixel loop itself: a rectangle of pixels, and the samples of a pass over it.
+
+use super::recorder::Recorder;
+use super::watch::Watch;
+use super::{BadSample, Options, Pixel};
+use crate::color::Rgb;
+use crate::geometry::Ray;
+use crate::sampling::stream::{Purpose, Sampler, Stream, even_run};
+use crate::scene::{RayCounts, Scene, Tracer};
+use std::ops::Range;
+
+/// A rectangle of pixels and what its samples added up to.
+#[derive(Clone, Debug)]
+pub(super) struct Tile<Notes> {
+    pub(super) x: Range<u32>,
+    pub(super) y: Range<u32>,
+    /// Row by row.
+    pub(super) pixels: Vec<Pixel>,
+    /// Those of further pictures, all of a pixel together.
+    pub(super) further: Vec<Pixel>,
+    pub(super) notes: Notes,
+    pub(super) rays: RayCounts,
+    pub(super) watch: Watch,
+    pub(super) lamps_met: u64,
+}
+
+/// The tiles of an image, whose samples are in `further` more pictures, too.
+pub(super) fn tiles<Notes: Default>(
+    [width, height]: [u32; 2],
+    side: u32,
+    further: usize,
+) -> Vec<Tile<Notes>> {
+    let starts = |end: u32| (0..end).step_by(side as usize);
+    starts(height)
+        .flat_map(|y| starts(width).map(move |x| (x, y)))
+        .map(|(x, y)| {
+            let x = x..width.min(x.saturating_add(side));
+            let y = y..height.min(y.saturating_add(side));
+            let count = x.len() * y.len();
+            Tile {
+                x,
+                y,
+                pixels: vec![Pixel::default(); count],
+                further: vec![Pixel::default(); count * further],
+                notes: Notes::default(),
+                rays: RayCounts::default(),
+                watch: Watch::default(),
+                lamps_met: 0,
+            }
+        })
+        .collect()
+}
+
+impl<Notes> Tile<Notes> {
+    /// Takes the samples of a pass; false where it was stopped before its last pixel. It asks before each
+    /// sample: a pass over a tile may have thousands, and a sample take a millisecond.
+    pub(super) fn sample<R: Recorder<Notes = Notes> + ?Sized>(
+        &mut self,
+        scene: &Scene,
+        recorder: &R,
+        options: &Options,
+        pass: Range<u32>,
+        stop: &(dyn Fn() -> bool + Sync),
+    ) -> bool {
+        let mut tracer = Tracer::new(scene);
+        let run = even_run(pass.start);
+        let ends_run = options.sampler == Sampler::Sobol && pass.end == run.end;
+        let pictures = recorder.pictures();
+        let mut parts = vec![Rgb::BLACK; pictures];
+        let mut further = self.further.as_mut_slice();
+        let mut whole = true;
+        'pixels: for (y, row) in self.y.clone().zip(self.pixels.chunks_mut(self.x.len())) {
+            for (x, pixel) in self.x.clone().zip(row) {
+                let (own, rest) = further.split_at_mut(pictures);
+                further = rest;
+                for sample in pass.clone() {
+                    whole = !stop();
+                    if !whole {
+                        break 'pixels;
+                    }
+                    let (ray, stream) = camera_sample(&mut tracer, options, [x, y], sample);
+                    let notes = &mut self.notes;
+                    let li = recorder.record(&mut tracer, &ray, &stream, &mut parts, notes);
+                    if self.watch.admits(li, BadSample { x, y, sample }) {
+                        pixel.add(li);
+                        own.iter_mut().zip(&parts).for_each(|(p, li)| p.add(*li));
+                    }
+                }
+                if ends_run {
+                    let doubles = run.end == 2 * run.start;
+                    pixel.end_run(doubles);
+                    own.iter_mut().for_each(|pixel| pixel.end_run(doubles));
+                }
+            }
+        }
+        self.rays += tracer.counts();
+        self.lamps_met |= tracer.lamps_met();
+        whole
+    }
+}
+
+/// The camera ray of sample `sample` of the pixel in column `x` and row `y`, and its random numbers.
+/// The tracer looks at the scene when the ray does.
+pub fn camera_sample(
+    tracer: &mut Tracer,
+    options: &Options,
+    [x, y]: [u32; 2],
+    sample: u32,
+) -> (Ray, Stream) {
+    let scene = tracer.scene();
+    let [width, height] = scene.size;
+    let stream =
+        Stream::with(options.sampler, options.seed, y * width + x, sample).fixing(options.fixed);
+    let [u, v] = stream.at(0, Purpose::Pixel).two();
+    let s = (x as f32 + u) / width as f32;
+    let t = (y as f32 + v) / height as f32;
+    if scene.moves() {
+        tracer.at_time(stream.at(0, Purpose::Time).one());
+    }
+    (scene.camera.sample_ray(s, t, &stream), stream)
+}
