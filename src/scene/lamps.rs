@@ -2,9 +2,10 @@
 
 use super::Object;
 use super::description as said;
-use super::field::{self, Checked, Field, exactly_one};
+use super::field::{Checked, Problem, Within, check};
 use super::image_file;
-use super::parts::Parts;
+use super::parts::{Parts, alone};
+use super::value::{Finite, Positive, Radiance};
 use crate::color::Rgb;
 use crate::geometry::{Shape, Triangle};
 use crate::lights::{
@@ -16,27 +17,26 @@ use glam::Vec3;
 use std::path::Path;
 
 impl Parts<'_> {
-    pub(super) fn add_light(&mut self, field: &Field, said: &said::Light) -> Checked<()> {
-        let point = said.point.as_ref().map(|l| {
-            let field = field.key("point");
-            let at = field.key("position");
-            Ok(Light::Point(PointLight {
-                position: self.within_reach(&at, field::vector(&at, l.position)?)?,
-                intensity: field::light(&field.key("intensity"), l.intensity)?,
-            }))
-        });
-        let directional = said.directional.as_ref().map(|l| {
-            let field = field.key("directional");
-            let direction = field::direction(&field.key("direction"), l.direction)?;
-            Ok(Light::Directional(DirectionalLight {
-                from: -direction.as_vec3(),
-                irradiance: field::light(&field.key("irradiance"), l.irradiance)?,
-            }))
-        });
-        let kinds = vec![("point", point), ("directional", directional)];
-        self.lights
-            .push(exactly_one(field, "kind of light", kinds)??);
-        Ok(())
+    pub(super) fn light(&self, said: &said::Light) -> Checked<Light> {
+        Ok(match *said {
+            said::Light::Point {
+                position,
+                intensity,
+            } => {
+                let position = position.get().and_then(|p| self.relative(p));
+                Light::Point(PointLight {
+                    position: position.within("position").within("point")?,
+                    intensity: intensity.get()?,
+                })
+            }
+            said::Light::Directional {
+                direction,
+                irradiance,
+            } => Light::Directional(DirectionalLight {
+                from: -direction.get()?.as_vec3(),
+                irradiance: irradiance.get()?,
+            }),
+        })
     }
 
     /// Adds shapes that shine: all triangles as one light, all others one by one.
@@ -163,55 +163,46 @@ const MAX_PIXELS: usize = 1 << 26;
 
 /// What is seen beyond the scene: a constant radiance, or a light one can aim at.
 pub(super) fn environment(
-    top: &Field,
     said: &said::Description,
     folder: Option<&Path>,
 ) -> Checked<(Rgb, Option<Light>)> {
     let Some(environment) = &said.environment else {
-        let constant = match said.background {
-            Some(color) => field::light_or_none(&top.key("background"), color)?,
-            None => Rgb::BLACK,
-        };
-        return Ok((constant, None));
+        let constant = said.background.map_or(Ok(Rgb::BLACK), Radiance::get);
+        return Ok((constant.within("background")?, None));
     };
-    let field = top.key("environment");
-    if said.background.is_some() {
-        return Err(field.problem("cannot stand beside `background`, which says the same"));
-    }
-    let radiance = environment.radiance.map(|color| {
-        for (name, given) in [
-            ("scale", environment.scale.is_some()),
-            ("rotate", environment.rotate.is_some()),
-        ] {
-            if given {
-                return Err(field.key(name).problem("is only possible with an `image`"));
-            }
+    let what = "cannot stand beside `background`, which says the same";
+    let alone = check(said.background.is_none(), what);
+    alone
+        .and_then(|()| beyond(environment, folder))
+        .within("environment")
+}
+
+fn beyond(said: &said::Environment, folder: Option<&Path>) -> Checked<(Rgb, Option<Light>)> {
+    match &said.light {
+        said::Sky::Radiance(color) => {
+            let what = "is only possible with an `image`";
+            check(said.scale.is_none(), what).within("scale")?;
+            check(said.rotate.is_none(), what).within("rotate")?;
+            Ok((color.get()?, None))
         }
-        Ok((field::light_or_none(&field.key("radiance"), color)?, None))
-    });
-    let image = environment.image.as_ref().map(|file| {
-        let light = image_light(&field, environment, file, folder)?;
-        Ok((Rgb::BLACK, light.map(Light::Environment)))
-    });
-    let kinds = vec![("radiance", radiance), ("image", image)];
-    exactly_one(&field, "kind of environment", kinds)?
+        said::Sky::Image(file) => {
+            let scale = said.scale.map_or(Ok(1.0), Positive::get)?;
+            let angle = said.rotate.map_or(Ok(0.0), Finite::get)?.to_radians();
+            let light = image_light(file, alone(folder).within("image")?, scale, angle);
+            Ok((Rgb::BLACK, light.within("image")?.map(Light::Environment)))
+        }
+    }
 }
 
 /// The light of an image; `None` where all of it is black.
 fn image_light(
-    field: &Field,
-    said: &said::Environment,
     file: &Path,
-    folder: Option<&Path>,
+    folder: &Path,
+    scale: f64,
+    angle: f64,
 ) -> Checked<Option<EnvironmentLight>> {
-    let scale = field::positive(&field.key("scale"), said.scale.unwrap_or(1.0))?;
-    let degrees = field::finite(&field.key("rotate"), said.rotate.unwrap_or(0.0))?;
-    let field = field.key("image");
-    let Some(folder) = folder else {
-        return Err(field.problem("is only possible in a scene file of its own"));
-    };
     let path = folder.join(file);
-    let complain = |what: String| field.problem(format!("names {}, which {what}", path.display()));
+    let complain = |what: String| Problem::new(format!("names {}, which {what}", path.display()));
     let (width, mut pixels) = image_file::read(&path, MAX_PIXELS).map_err(complain)?;
     for (at, pixel) in pixels.iter_mut().enumerate() {
         let scaled = pixel.channels().map(|x| (f64::from(x) * scale) as f32);
@@ -225,5 +216,5 @@ fn image_light(
         }
         *pixel = Rgb::from(scaled);
     }
-    Ok(EnvironmentLight::new(width, pixels, degrees.to_radians()))
+    Ok(EnvironmentLight::new(width, pixels, angle))
 }
