@@ -107,11 +107,8 @@ pub enum Shape {
 
 /// A lamp without a surface.
 #[derive(Clone, Debug, Deserialize)]
-#[serde(
-    rename = "kind of lamp",
-    rename_all = "snake_case",
-    deny_unknown_fields
-)]
+#[serde(rename = "kind of lamp", rename_all = "snake_case")]
+#[serde(deny_unknown_fields)]
 pub enum Lamp {
     /// A point that shines the same everywhere.
     Point {

@@ -179,17 +179,12 @@ impl Parts<'_> {
             self.inventory.count(material, &shapes);
         }
         self.note_inside_out(number, material.as_ref(), radiance.is_some(), &shapes);
-        match radiance {
-            Some(radiance) => {
-                let two_sided = said.two_sided.unwrap_or(false);
-                let emission = lamps::Emission {
-                    radiance,
-                    two_sided,
-                };
-                self.push_lamp(shapes, material, emission, way.span);
-            }
-            None => self.push(shapes, material, None),
-        }
+        let two_sided = said.two_sided.unwrap_or(false);
+        let emission = radiance.map(|radiance| lamps::Emission {
+            radiance,
+            two_sided,
+        });
+        self.push(shapes, material, emission, way.span);
         self.spans.resize(self.objects.len(), way.span);
         self.numbers.resize(self.objects.len(), number);
         if said.motion.0 != [0.0; 3] {

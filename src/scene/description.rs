@@ -143,11 +143,8 @@ impl Default for Film {
 
 /// A material.
 #[derive(Clone, Debug, Deserialize)]
-#[serde(
-    rename = "kind of material",
-    rename_all = "snake_case",
-    deny_unknown_fields
-)]
+#[serde(rename = "kind of material", rename_all = "snake_case")]
+#[serde(deny_unknown_fields)]
 pub enum Material {
     /// Ideal diffuse reflection.
     Lambert {
@@ -322,11 +319,8 @@ pub enum Shape {
 
 /// A light without a surface.
 #[derive(Clone, Debug, Deserialize)]
-#[serde(
-    rename = "kind of light",
-    rename_all = "snake_case",
-    deny_unknown_fields
-)]
+#[serde(rename = "kind of light", rename_all = "snake_case")]
+#[serde(deny_unknown_fields)]
 pub enum Light {
     /// A point that shines the same everywhere.
     Point {

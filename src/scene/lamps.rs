@@ -7,7 +7,7 @@ use super::image_file;
 use super::parts::{Parts, alone};
 use super::value::{Finite, Positive, Radiance};
 use crate::color::Rgb;
-use crate::geometry::{Shape, Triangle};
+use crate::geometry::Shape;
 use crate::lights::{
     DirectionalLight, EnvironmentLight, Light, MeshLight, PointLight, QuadLight, SphereLight,
     TriangleLight,
@@ -39,58 +39,38 @@ impl Parts<'_> {
         })
     }
 
-    /// Adds shapes that shine: all triangles as one light, all others one by one.
+    /// Adds shapes as one object. Of those that shine, all triangles of a mesh are one light, and all
+    /// others are lights and objects of their own.
     ///
     /// A lamp in the very place of an earlier one is left out and counted: no ray ever meets it.
-    pub(super) fn push_lamp(
+    pub(super) fn push(
         &mut self,
         mut shapes: Vec<Shape>,
         material: Option<Material>,
-        emission: Emission,
+        emission: Option<Emission>,
         span: Vec3,
     ) {
-        let before = shapes.len();
-        shapes.retain(|shape| {
-            let place = place_of(shape, span, emission.two_sided);
-            self.lamp_places.insert(place)
-        });
-        self.hidden_lamps += before - shapes.len();
-        if shapes.is_empty() {
-            return;
+        let mut together = shapes.len();
+        if let Some(Emission { two_sided, .. }) = emission {
+            shapes.retain(|shape| self.lamp_places.insert(place_of(shape, span, two_sided)));
+            self.hidden_lamps += together - shapes.len();
+            if !matches!(shapes.first(), Some(Shape::Triangle(_))) {
+                together = 1;
+            }
         }
-        let triangles = shapes.iter().map(|shape| match shape {
-            Shape::Triangle(triangle) => Some(*triangle),
-            Shape::Quad(_) | Shape::Sphere(_) => None,
-        });
-        if let Some(triangles) = triangles.collect::<Option<Vec<_>>>() {
-            let light = emission.of_triangles(triangles);
-            self.push(shapes, material, light.map(|light| (light, emission)));
-            return;
+        for shapes in shapes.chunks(together.max(1)) {
+            let object = self.objects.len() as u32;
+            let light = emission.and_then(|emission| emission.light(shapes));
+            let emission = emission.filter(|_| light.is_some());
+            self.objects.push(Object {
+                material,
+                emission: emission.map_or(Rgb::BLACK, |e| e.radiance),
+                two_sided: emission.is_some_and(|e| e.two_sided),
+                light: light.as_ref().map(|_| self.lights.len() as u32),
+            });
+            self.lights.extend(light);
+            self.all.extend(shapes.iter().map(|&shape| (shape, object)));
         }
-        for shape in shapes {
-            let light = emission.of_shape(shape);
-            self.push(vec![shape], material, Some((light, emission)));
-        }
-    }
-
-    /// Adds shapes as one object, which may be a light.
-    pub(super) fn push(
-        &mut self,
-        shapes: Vec<Shape>,
-        material: Option<Material>,
-        light: Option<(Light, Emission)>,
-    ) {
-        let object = self.objects.len() as u32;
-        let index = light.as_ref().map(|_| self.lights.len() as u32);
-        let (light, emission) = light.unzip();
-        self.lights.extend(light);
-        self.objects.push(Object {
-            material,
-            emission: emission.map_or(Rgb::BLACK, |e| e.radiance),
-            two_sided: emission.is_some_and(|e| e.two_sided),
-            light: index,
-        });
-        self.all.extend(shapes.into_iter().map(|s| (s, object)));
     }
 }
 
@@ -102,35 +82,32 @@ pub(super) struct Emission {
 }
 
 impl Emission {
-    /// The light of all these triangles; `None` where they have no area.
-    fn of_triangles(self, triangles: Vec<Triangle>) -> Option<Light> {
-        if let [triangle] = *triangles {
-            return Some(self.of_shape(Shape::Triangle(triangle)));
-        }
-        let light = MeshLight::new(triangles, self.radiance)?;
-        Some(Light::Mesh(match self.two_sided {
-            true => light.two_sided(),
-            false => light,
-        }))
-    }
-
-    fn of_shape(self, shape: Shape) -> Light {
+    /// The light of one shape, or of some triangles; `None` where these have no area.
+    fn light(self, shapes: &[Shape]) -> Option<Light> {
         let Emission {
             radiance,
             two_sided,
         } = self;
-        match shape {
-            Shape::Sphere(sphere) => Light::Sphere(SphereLight { sphere, radiance }),
-            Shape::Triangle(triangle) => Light::Triangle(TriangleLight {
+        Some(match *shapes {
+            [Shape::Sphere(sphere)] => Light::Sphere(SphereLight { sphere, radiance }),
+            [Shape::Triangle(triangle)] => Light::Triangle(TriangleLight {
                 triangle,
                 radiance,
                 two_sided,
             }),
-            Shape::Quad(quad) => {
+            [Shape::Quad(quad)] => {
                 let light = QuadLight::new(quad, radiance);
                 Light::Quad(if two_sided { light.two_sided() } else { light })
             }
-        }
+            _ => {
+                let triangles = shapes.iter().filter_map(|shape| match shape {
+                    Shape::Triangle(triangle) => Some(*triangle),
+                    Shape::Quad(_) | Shape::Sphere(_) => None,
+                });
+                let light = MeshLight::new(triangles.collect(), radiance)?;
+                Light::Mesh(if two_sided { light.two_sided() } else { light })
+            }
+        })
     }
 }
 

@@ -191,3 +191,50 @@ fn channels(rgb: [f64; 3], allowed: RangeInclusive<f64>, range: &str) -> Checked
     }
     Ok(Rgb::from(rgb.map(|x| x as f32)))
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::scene::build::build;
+    use crate::scene::description::{Description, Light, Object, Shape};
+
+    /// A sphere and a light, told by a program.
+    fn described(radius: f64, intensity: f64) -> Description {
+        let ball = Shape::Sphere {
+            center: Triple([0.0, 0.0, -5.0]),
+            radius: Positive(radius),
+            inward: false,
+        };
+        Description {
+            name: "in code".to_owned(),
+            objects: vec![Object {
+                emits: Some(Emission([1.0; 3])),
+                ..ball.into()
+            }],
+            lights: vec![Light::Point {
+                position: Triple::default(),
+                intensity: Emission([intensity; 3]),
+            }],
+            ..Description::default()
+        }
+    }
+
+    #[test]
+    fn a_scene_told_by_a_program_is_held_to_the_same_rules() {
+        let scene = build(&described(1.0, 2.0), None).unwrap();
+        assert_eq!((scene.lights.len(), scene.size), (2, [256, 256]));
+        for (radius, intensity, field, what) in [
+            (-1.0, 2.0, "objects[0]", "must be greater than 0, not -1"),
+            (f64::NAN, 2.0, "objects[0]", "must be a finite number"),
+            (1.0, 0.0, "lights[0]", "gives no light at all"),
+        ] {
+            let problem = build(&described(radius, intensity), None).unwrap_err();
+            assert_eq!(problem.field.to_string(), field);
+            assert!(problem.what.starts_with(what), "{problem}");
+        }
+        let mut far = described(1.0, 2.0);
+        far.camera.fov = Fov(180.0);
+        let problem = build(&far, None).unwrap_err();
+        assert_eq!(problem.field.to_string(), "camera");
+    }
+}
