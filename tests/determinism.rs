@@ -5,9 +5,10 @@ use halfdisk::integrators::{Normals, Whitted};
 use halfdisk::render::{Film, Options, Progress, render};
 use halfdisk::sampling::stream::Sampler;
 use halfdisk::scene::Scene;
-use halfdisk::scene::description::{Color, Description, Exactly, Transform};
+use halfdisk::scene::description::{Description, Light, Shape, Transform};
 use halfdisk::scene::gallery::{self, load_with};
 use halfdisk::scene::read::Source;
+use halfdisk::scene::value::{Positive, Scale, Triple, Whole};
 use std::sync::atomic::{AtomicU64, Ordering};
 
 const OPTIONS: Options = Options {
@@ -139,42 +140,39 @@ fn the_order_of_objects_changes_no_bit() {
 
 /// The description with every length multiplied by `s`, seen from as far away.
 fn scale(said: &mut Description, s: f64) {
-    let point = |p: &mut Exactly<f64, 3>| p.0 = p.0.map(|x| x * s);
+    let point = |p: &mut Triple| p.0 = p.0.map(|x| x * s);
     point(&mut said.camera.from);
     point(&mut said.camera.to);
-    said.camera.lens_radius *= s;
-    said.camera.focus = said.camera.focus.map(|f| f * s);
+    said.camera.lens_radius.0 *= s;
+    said.camera.focus = said.camera.focus.map(|f| Positive(f.0 * s));
     for light in &mut said.lights {
-        if let Some(l) = &mut light.point {
-            point(&mut l.position);
+        if let Light::Point {
+            position,
+            intensity,
+        } = light
+        {
+            point(position);
             // Irradiance falls with the square of the distance.
-            l.intensity = Color(l.intensity.0.map(|x| x * s * s));
+            intensity.0 = intensity.0.map(|x| x * s * s);
         }
     }
     for object in &mut said.objects {
-        if let Some(o) = &mut object.sphere {
-            point(&mut o.center);
-            o.radius *= s;
+        match &mut object.shape {
+            Shape::Sphere { center, radius, .. } | Shape::BumpySphere { center, radius, .. } => {
+                point(center);
+                radius.0 *= s;
+            }
+            Shape::Quad {
+                corner: a,
+                u: b,
+                v: c,
+            }
+            | Shape::Triangle { a, b, c } => [a, b, c].into_iter().for_each(point),
+            Shape::Box { min, max } => [min, max].into_iter().for_each(point),
+            Shape::Mesh { .. } => {}
         }
-        if let Some(o) = &mut object.quad {
-            [&mut o.corner, &mut o.u, &mut o.v]
-                .into_iter()
-                .for_each(point);
-        }
-        if let Some(o) = &mut object.triangle {
-            [&mut o.a, &mut o.b, &mut o.c].into_iter().for_each(point);
-        }
-        if let Some(o) = &mut object.cuboid {
-            [&mut o.min, &mut o.max].into_iter().for_each(point);
-        }
-        if let Some(o) = &mut object.bumpy_sphere {
-            point(&mut o.center);
-            o.radius *= s;
-        }
-        object.motion.as_mut().map(point);
-        if let Some(t) = object.transform.as_mut().and_then(|t| t.translate.as_mut()) {
-            point(t);
-        }
+        point(&mut object.motion);
+        point(&mut object.transform.translate);
     }
 }
 
@@ -210,10 +208,10 @@ emits = [1, 2, 3]
     };
     gallery::from_text(source, None, |said| {
         said.camera.to.0 = [0, 1, 2].map(|i| said.camera.to.0[i] * signs[i]);
-        said.objects[0].transform = Some(Transform {
-            scale: Some(Color(signs)),
+        said.objects[0].transform = Transform {
+            scale: Scale(signs),
             ..Transform::default()
-        });
+        };
     })
     .expect("a proper scene")
 }
@@ -251,16 +249,25 @@ fn mirrored_shapes_keep_their_front() {
 fn mirrored_meshes_keep_their_front() {
     let normals = |signs: [f64; 3]| {
         let scene = small("mesh", |said| {
-            said.objects.retain(|o| o.bumpy_sphere.is_some());
-            let bumpy = said.objects[0].bumpy_sphere.as_mut().unwrap();
-            bumpy.center.0 = [0.0; 3];
-            (bumpy.columns, bumpy.rows) = (32, 16);
+            said.objects
+                .retain(|o| matches!(o.shape, Shape::BumpySphere { .. }));
+            let Shape::BumpySphere {
+                center,
+                columns,
+                rows,
+                ..
+            } = &mut said.objects[0].shape
+            else {
+                panic!("a bumpy sphere");
+            };
+            center.0 = [0.0; 3];
+            (*columns, *rows) = (Whole(32), Whole(16));
             said.camera.from.0 = [0.0, 0.0, -400.0];
             said.camera.to.0 = [0.0; 3];
-            said.objects[0].transform = Some(Transform {
-                scale: Some(Color(signs)),
+            said.objects[0].transform = Transform {
+                scale: Scale(signs),
                 ..Transform::default()
-            });
+            };
         });
         let film = render(&scene, &Normals, &Options { spp: 1, ..OPTIONS }, &()).film;
         // 0.5 + 0.5 n: what faces the camera has a normal towards -z.

@@ -4,6 +4,7 @@ use crate::cli::SCENE;
 use crate::cli::meshes::{Ply, TETRAHEDRON, scene};
 use halfdisk::integrators::Whitted;
 use halfdisk::render::{Options, render};
+use halfdisk::scene::description::Shape;
 use halfdisk::scene::gallery::{GALLERY, from_text};
 use halfdisk::scene::read::Source;
 use halfdisk::scene::{Scene, SceneError};
@@ -105,13 +106,11 @@ fn load(text: &str, folder: Option<&Path>) -> Option<Scene> {
     };
     // Meshes from formulas are kept small: it is the text that is tested.
     let result = from_text(source, folder, |said| {
-        for bumpy in said
-            .objects
-            .iter_mut()
-            .filter_map(|o| o.bumpy_sphere.as_mut())
-        {
-            bumpy.columns = bumpy.columns.min(8);
-            bumpy.rows = bumpy.rows.min(8);
+        for object in &mut said.objects {
+            if let Shape::BumpySphere { columns, rows, .. } = &mut object.shape {
+                columns.0 = columns.0.min(8);
+                rows.0 = rows.0.min(8);
+            }
         }
     });
     match result {

@@ -8,9 +8,10 @@ use halfdisk::estimators::worlds::ball;
 use halfdisk::integrators::{Distributed, Integral, Integrator, Kajiya, NextEvent};
 use halfdisk::render::{Options, Rendered, render};
 use halfdisk::sampling::stream::Purpose;
-use halfdisk::scene::description::Description;
+use halfdisk::scene::description::{Description, Material, Shape};
 use halfdisk::scene::gallery;
 use halfdisk::scene::read::Source;
+use halfdisk::scene::value::{Positive, Triple};
 use halfdisk::space::{Flat, Solid};
 use std::f64::consts::{LN_2, PI};
 
@@ -58,35 +59,43 @@ fn s0_14_each_of_six_integrals_has_its_closed_form_everywhere() {
     }
 }
 
+/// Corner and edges of a quad.
+fn quad(said: &mut Description, object: usize) -> [&mut Triple; 3] {
+    match &mut said.objects[object].shape {
+        Shape::Quad { corner, u, v } => [corner, u, v],
+        other => panic!("{other:?}"),
+    }
+}
+
 #[test]
 fn s0_14_wrong_lenses_shutters_lamps_edges_walls_and_facets_are_rejected() {
     type Change = fn(&mut Description);
     let wrong: [(&str, Integral, Change); 8] = [
         ("radius doubled", Integral::Lens, |s| {
-            s.camera.lens_radius *= 2.0
+            s.camera.lens_radius.0 *= 2.0
         }),
         ("focus nearer", Integral::Lens, |s| {
-            s.camera.focus = Some(3.8)
+            s.camera.focus = Some(Positive(3.8))
         }),
         ("shutter halved", Integral::Time, |s| {
             s.camera.shutter.0[1] = 1.0
         }),
         ("speed up by a tenth", Integral::Time, |s| {
-            s.objects[0].motion.as_mut().unwrap().0[0] *= 1.1;
+            s.objects[0].motion.0[0] *= 1.1;
         }),
         ("lamp half as wide", Integral::Light, |s| {
-            s.objects[2].quad.as_mut().unwrap().u.0[0] *= 0.5;
+            quad(s, 2)[1].0[0] *= 0.5;
         }),
         ("edge half a pixel off", Integral::Pixel, |s| {
-            s.objects[0].quad.as_mut().unwrap().corner.0[0] += 0.5;
+            quad(s, 0)[0].0[0] += 0.5;
         }),
         ("wall a tenth lower", Integral::Hemisphere, |s| {
-            s.objects[1].quad.as_mut().unwrap().v.0[1] *= 0.9;
+            quad(s, 1)[2].0[1] *= 0.9;
         }),
         ("facets rougher by a twentieth", Integral::Gloss, |s| {
             for material in s.materials.values_mut() {
-                if let Some(glossy) = &mut material.glossy {
-                    glossy.roughness = (1.05 * glossy.roughness).min(1.0);
+                if let Material::Glossy { roughness, .. } = material {
+                    roughness.0 = (1.05 * roughness.0).min(1.0);
                 }
             }
         }),

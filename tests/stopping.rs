@@ -7,8 +7,9 @@ use halfdisk::integrators::{Integrator, Kajiya, Path};
 use halfdisk::render::target::{Goal, StoppedBy, render_to};
 use halfdisk::render::{Film, Options, Progress, Session, render};
 use halfdisk::sampling::stream::{Purpose, Sampler, Stream};
-use halfdisk::scene::description::Color;
+use halfdisk::scene::description::Material;
 use halfdisk::scene::gallery::{load, load_with};
+use halfdisk::scene::value::Albedo;
 use halfdisk::scene::{Scene, Tracer};
 use halfdisk::stats::Estimate;
 use std::sync::atomic::{AtomicU64, Ordering};
@@ -273,9 +274,9 @@ fn an_error_below_the_rounding_of_samples_is_not_claimed() {
         let scene = load_with("furnace", |said| {
             said.film.size = [4, 4];
             for material in said.materials.values_mut() {
-                if let Some(lambert) = &mut material.lambert {
-                    lambert.albedo = Color([albedo; 3]);
-                }
+                *material = Material::Lambert {
+                    albedo: Albedo([albedo; 3]),
+                };
             }
         })
         .expect("a scene of the gallery");

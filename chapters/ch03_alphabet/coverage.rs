@@ -7,9 +7,8 @@ use halfdisk::effects::language::{Class, Finds, finds};
 use halfdisk::effects::words::{Words, words};
 use halfdisk::integrators::{Entry, LADDER, Path};
 use halfdisk::render::{Options, render};
-use halfdisk::scene::description::{
-    Color, Description, Exactly, Light, Object, PointLight, Sphere,
-};
+use halfdisk::scene::description::{Description, Light, Object, Shape};
+use halfdisk::scene::value::{Emission, Positive, Triple};
 use halfdisk::scene::{Scene, gallery};
 use halfdisk::stats::Estimate;
 use halfdisk::stats::z_test::Largest;
@@ -49,25 +48,21 @@ fn load(desk: &Desk, change: impl FnOnce(&mut Description)) -> Result<Scene, Des
 
 fn point(said: &mut Description) {
     said.objects.retain(|object| object.emits.is_none());
-    said.lights.push(Light {
-        point: Some(PointLight {
-            position: Exactly(PLACE),
-            intensity: Color([INTENSITY; 3]),
-        }),
-        directional: None,
+    said.lights.push(Light::Point {
+        position: Triple(PLACE),
+        intensity: Emission([INTENSITY; 3]),
     });
 }
 
 fn ball(said: &mut Description, radius: f64) {
     for object in said.objects.iter_mut().filter(|o| o.emits.is_some()) {
         *object = Object {
-            emits: Some(Color([INTENSITY / (PI * radius * radius); 3])),
-            quad: None,
-            sphere: Some(Sphere {
-                center: Exactly(PLACE),
-                radius,
+            emits: Some(Emission([INTENSITY / (PI * radius * radius); 3])),
+            shape: Shape::Sphere {
+                center: Triple(PLACE),
+                radius: Positive(radius),
                 inward: false,
-            }),
+            },
             ..object.clone()
         };
     }

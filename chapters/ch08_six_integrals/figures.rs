@@ -6,8 +6,9 @@ use halfdisk::desk::{Desk, DeskError};
 use halfdisk::estimators::profiles::{Profile, Reading};
 use halfdisk::integrators::{Distributed, Integral};
 use halfdisk::render::{Options, render};
-use halfdisk::scene::description::{Color, Lambert};
+use halfdisk::scene::description::{Material, Sky};
 use halfdisk::scene::gallery;
+use halfdisk::scene::value::{Albedo, Radiance};
 
 /// What an integral is called in numbers and files.
 pub fn name(integral: Integral) -> &'static str {
@@ -114,14 +115,13 @@ pub fn occlusion(desk: &mut Desk) -> Result<u64, DeskError> {
     let scene = gallery::load_with("six", |said| {
         said.film.size = [160, 120];
         for material in said.materials.values_mut() {
-            material.glossy = None;
-            material.lambert = Some(Lambert {
-                albedo: Color([1.0; 3]),
-            });
+            *material = Material::Lambert {
+                albedo: Albedo([1.0; 3]),
+            };
         }
         said.objects.retain(|o| o.emits.is_none());
         if let Some(sky) = &mut said.environment {
-            sky.radiance = Some(Color([1.0; 3]));
+            sky.light = Sky::Radiance(Radiance([1.0; 3]));
         }
     })?;
     let options = Options {

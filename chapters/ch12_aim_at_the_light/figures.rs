@@ -9,7 +9,8 @@ use halfdisk::flatland;
 use halfdisk::integrators::{Integrator, Kajiya, NextEvent};
 use halfdisk::render::{Film, Options, Rendered, render};
 use halfdisk::sampling::stream::Stream;
-use halfdisk::scene::description::{Color, Exactly};
+use halfdisk::scene::description::Shape;
+use halfdisk::scene::value::{Emission, Triple};
 use halfdisk::scene::{Scene, gallery};
 use halfdisk::space::{Flat, Ray};
 use halfdisk::stats::slope::Line;
@@ -150,12 +151,13 @@ pub fn boxes(desk: &mut Desk) -> Result<u64, DeskError> {
         let scene = gallery::load_with("cornell", |said| {
             said.film.size = [96; 2];
             for lamp in said.objects.iter_mut().filter(|o| o.emits.is_some()) {
-                if let Some(quad) = &mut lamp.quad {
-                    let (u, v) = (130.0 * scale, 105.0 * scale);
-                    quad.corner = Exactly([278.0 - 0.5 * u, 554.0, 279.5 - 0.5 * v]);
-                    (quad.u, quad.v) = (Exactly([u, 0.0, 0.0]), Exactly([0.0, 0.0, v]));
-                }
-                lamp.emits = Some(Color([15.0 / (scale * scale); 3]));
+                let (u, v) = (130.0 * scale, 105.0 * scale);
+                lamp.shape = Shape::Quad {
+                    corner: Triple([278.0 - 0.5 * u, 554.0, 279.5 - 0.5 * v]),
+                    u: Triple([u, 0.0, 0.0]),
+                    v: Triple([0.0, 0.0, v]),
+                };
+                lamp.emits = Some(Emission([15.0 / (scale * scale); 3]));
             }
         })?;
         let max_depth = 5;

@@ -10,7 +10,8 @@ use halfdisk::integrators::walkable::FlatWalk;
 use halfdisk::integrators::{Combine, Integrator, Kajiya, NextEvent};
 use halfdisk::sampling::mis::Heuristic;
 use halfdisk::sampling::stream::Stream;
-use halfdisk::scene::description::Color;
+use halfdisk::scene::description::Material;
+use halfdisk::scene::value::Albedo;
 use halfdisk::scene::{Tracer, gallery};
 use halfdisk::stats::Estimate;
 use halfdisk::stats::z_test::{FOUR, Largest, z_test};
@@ -24,8 +25,10 @@ pub fn furnace(desk: &mut Desk) -> Result<(u64, Largest), DeskError> {
     for (percent, max_depth) in [(50, 24), (75, 48)] {
         let albedo = f64::from(percent) / 100.0;
         let scene = gallery::load_with("furnace", |said| {
-            for lambert in said.materials.values_mut().flat_map(|m| &mut m.lambert) {
-                lambert.albedo = Color([albedo; 3]);
+            for material in said.materials.values_mut() {
+                *material = Material::Lambert {
+                    albedo: Albedo([albedo; 3]),
+                };
             }
         })?;
         let exact = (1.0 - albedo.powi(max_depth as i32)) / (1.0 - albedo);

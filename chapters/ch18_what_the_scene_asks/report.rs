@@ -7,8 +7,9 @@ use halfdisk::effects::plan;
 use halfdisk::effects::words::words;
 use halfdisk::integrators::{Kajiya, Path, Restricted};
 use halfdisk::render::{Options, render};
-use halfdisk::scene::description::{Color, Description, Object};
+use halfdisk::scene::description::{Description, Light, Object, Shape};
 use halfdisk::scene::read::Source;
+use halfdisk::scene::value::{Emission, Positive};
 use halfdisk::scene::{Scene, SceneError, gallery};
 use halfdisk::stats::Estimate;
 use std::f64::consts::PI;
@@ -95,18 +96,27 @@ fn load(change: impl FnOnce(&mut Description)) -> Result<Scene, SceneError> {
 
 /// A ball of the same power in the point's place.
 fn ball(said: &mut Description, radius: f64) {
-    for point in said.lights.drain(..).filter_map(|light| light.point) {
-        let radiance = point.intensity.0.map(|i| i / (PI * radius * radius));
-        let Some(mut object) = said.objects.iter().find(|o| o.sphere.is_some()).cloned() else {
-            return;
+    let is_sphere = |o: &&Object| matches!(o.shape, Shape::Sphere { .. });
+    let Some(model) = said.objects.iter().find(is_sphere).cloned() else {
+        return;
+    };
+    for light in said.lights.drain(..) {
+        let Light::Point {
+            position,
+            intensity,
+        } = light
+        else {
+            continue;
         };
-        if let Some(sphere) = &mut object.sphere {
-            (sphere.center, sphere.radius) = (point.position, radius);
-        }
         said.objects.push(Object {
             material: None,
-            emits: Some(Color(radiance)),
-            ..object
+            emits: Some(Emission(intensity.0.map(|i| i / (PI * radius * radius)))),
+            shape: Shape::Sphere {
+                center: position,
+                radius: Positive(radius),
+                inward: false,
+            },
+            ..model.clone()
         });
     }
 }

@@ -6,9 +6,8 @@
 #![allow(clippy::print_stdout)]
 
 use halfdisk::effects::plan::{Plan, plan};
-use halfdisk::scene::description::{
-    Color, Description, Exactly, Glossy, Light, Mirror, PointLight,
-};
+use halfdisk::scene::description::{Description, Light, Material, Shape};
+use halfdisk::scene::value::{Emission, NotNegative, Radiance, Roughness, Shutter, Triple};
 use halfdisk::scene::{Effect, SceneError, gallery};
 
 /// A change, and what should follow from it.
@@ -33,12 +32,12 @@ const PREDICTIONS: [Prediction; 5] = [
     Prediction {
         change: |said| {
             for material in said.materials.values_mut() {
-                if let Some(Mirror { reflectance }) = material.mirror.take() {
-                    let roughness = 0.1;
-                    material.glossy = Some(Glossy {
+                if let Material::Mirror { reflectance } = *material {
+                    let roughness = Roughness(0.1);
+                    *material = Material::Glossy {
                         reflectance,
                         roughness,
-                    });
+                    };
                 }
             }
         },
@@ -49,7 +48,7 @@ const PREDICTIONS: [Prediction; 5] = [
         loses: false,
     },
     Prediction {
-        change: |said| said.camera.lens_radius = 12.0,
+        change: |said| said.camera.lens_radius = NotNegative(12.0),
         line: "lens_radius = 12",
         added: &[Effect::Lens],
         // A lens changes where paths begin, and not what they meet.
@@ -58,9 +57,11 @@ const PREDICTIONS: [Prediction; 5] = [
     },
     Prediction {
         change: |said| {
-            said.camera.shutter = Exactly([0.0, 1.0]);
-            for object in said.objects.iter_mut().filter(|o| o.sphere.is_some()) {
-                object.motion = Some(Exactly([0.0, 20.0, 0.0]));
+            said.camera.shutter = Shutter([0.0, 1.0]);
+            for object in &mut said.objects {
+                if let Shape::Sphere { .. } = object.shape {
+                    object.motion = Triple([0.0, 20.0, 0.0]);
+                }
             }
         },
         line: "motion = [0, 20, 0]  # for the balls, and a shutter that is open",
@@ -69,7 +70,7 @@ const PREDICTIONS: [Prediction; 5] = [
         loses: false,
     },
     Prediction {
-        change: |said| said.background = Some(Color([0.1, 0.1, 0.2])),
+        change: |said| said.background = Some(Radiance([0.1, 0.1, 0.2])),
         line: "background = [0.1, 0.1, 0.2]",
         added: &[Effect::Sky],
         paths: "L(D|S)*E",
@@ -77,12 +78,9 @@ const PREDICTIONS: [Prediction; 5] = [
     },
     Prediction {
         change: |said| {
-            said.lights.push(Light {
-                point: Some(PointLight {
-                    position: Exactly([100.0, 400.0, 100.0]),
-                    intensity: Color([20_000.0; 3]),
-                }),
-                directional: None,
+            said.lights.push(Light::Point {
+                position: Triple([100.0, 400.0, 100.0]),
+                intensity: Emission([20_000.0; 3]),
             });
         },
         line: "point = { position = [100, 400, 100], intensity = 20000 }",

@@ -16,7 +16,7 @@ use crate::output::{self, Display, Provenance};
 use crate::render::target::{Outcome, render_to};
 use crate::render::{self, Options, Rendered};
 use crate::sampling::stream::Sampler;
-use crate::scene::{Scene, build::film_size, field::Field, gallery};
+use crate::scene::{Scene, build::film_size, gallery};
 use clap::builder::{PossibleValue, PossibleValuesParser, TypedValueParser};
 use clap::{Args, ValueEnum};
 use serde_json::json;
@@ -111,7 +111,7 @@ pub(super) fn size(text: &str) -> Result<[u32; 2], String> {
         return Err("a size is two whole numbers, such as 640x480".to_owned());
     };
     // The same bounds as for a scene file, but it is not the file that is wrong here.
-    film_size(&Field::top(), [width, height]).map_err(|problem| problem.what)
+    film_size([width, height]).map_err(|problem| problem.what)
 }
 
 impl Render {

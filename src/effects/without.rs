@@ -4,7 +4,8 @@
 use super::language::{self, Class, Wanted};
 use super::measure::Setup;
 use crate::notation::Expression;
-use crate::scene::description::{Color, Description, Lambert, Material};
+use crate::scene::description::{Description, Material};
+use crate::scene::value::{Albedo, NotNegative};
 use crate::scene::{Effect, Scene, SceneError};
 
 /// What is left out.
@@ -45,7 +46,7 @@ impl Without {
                 Effect::PointLights => said.lights.clear(),
                 Effect::AreaLights => put_out(said),
                 Effect::Sky => (said.background, said.environment) = (None, None),
-                Effect::Lens => said.camera.lens_radius = 0.0,
+                Effect::Lens => said.camera.lens_radius = NotNegative(0.0),
                 // Everything stays where it is when the shutter opens.
                 Effect::Motion => said.camera.shutter.0[1] = said.camera.shutter.0[0],
                 Effect::Diffuse
@@ -72,12 +73,8 @@ impl Without {
 /// Lamps go out: what shone and did nothing else is black, and stands where it stood.
 fn put_out(said: &mut Description) {
     let black = "what does not shine";
-    let lambert = Lambert {
-        albedo: Color([0.0; 3]),
-    };
-    let material = Material {
-        lambert: Some(lambert),
-        ..Material::default()
+    let material = Material::Lambert {
+        albedo: Albedo([0.0; 3]),
     };
     for object in &mut said.objects {
         object.emits = None;

@@ -1,19 +1,15 @@
-//! From a description to a flat world: every value is checked here, and named where it is wrong.
+//! From a description to a flat world: what is wrong is told with its place in the description.
 
-use super::description::{self as said, Description, Pair};
+use super::description::{self as said, Description};
 use super::{Circle, FlatHit, FlatWorld, Glowing, Lamp, Object, Part, Segment, Shape, Window};
 use crate::color::Rgb;
-use crate::scene::description::Exactly;
-use crate::scene::field::{self, Checked, Field, exactly_one};
+use crate::scene::field::{Checked, Problem, Within, check, named};
+use crate::scene::value::{Emission, Pair, Radiance};
 use glam::DVec2;
 
 /// Checks a description and builds its world.
 pub fn build(said: &Description) -> Checked<FlatWorld> {
-    let top = Field::top();
-    let background = match said.background {
-        Some(color) => field::light_or_none(&top.key("background"), color)?,
-        None => Rgb::BLACK,
-    };
+    let background = said.background.map_or(Ok(Rgb::BLACK), Radiance::get)?;
     let mut world = FlatWorld {
         name: said.name.clone(),
         about: said.about.clone(),
@@ -25,28 +21,26 @@ pub fn build(said: &Description) -> Checked<FlatWorld> {
         parts: Vec::new(),
         glowing: Vec::new(),
     };
-    for (name, material) in &said.materials {
+    for material in said.materials.values() {
         // Also the ones that nobody uses.
-        albedo(&top.key("materials").key(name), material)?;
+        material.albedo.get().within("materials")?;
     }
-    for (i, said_lamp) in said.lamps.iter().enumerate() {
-        world
-            .lamps
-            .push(lamp(&top.key("lamps").item(i), said_lamp)?);
+    for (i, &said::Lamp::Point { position, power }) in said.lamps.iter().enumerate() {
+        let lamp = point(position, power).within(i).within("lamps")?;
+        world.lamps.push(lamp);
     }
     for (i, said_object) in said.objects.iter().enumerate() {
-        let field = top.key("objects").item(i);
-        world.objects.push(object(&field, said, said_object)?);
+        let (object, shapes) = object(said, said_object).within(i).within("objects")?;
         let part = |shape| Part { shape, object: i };
-        let shapes = shapes(&field, said_object)?;
+        world.objects.push(object);
         world.parts.extend(shapes.into_iter().map(part));
     }
     world.glowing = glowing(&world);
-    if let Some(said_probe) = &said.probe {
-        world.probe = Some(probe(&top.key("probe"), said_probe, &world)?);
+    if let Some(said) = &said.probe {
+        world.probe = Some(probe(said, &world).within("probe")?);
     }
     world.window = match &said.window {
-        Some(said_window) => window(&top.key("window"), said_window)?,
+        Some(said) => window(said).within("window")?,
         None => everything(&world),
     };
     Ok(world)
@@ -64,145 +58,94 @@ fn glowing(world: &FlatWorld) -> Vec<Glowing> {
     world.parts.iter().enumerate().filter_map(glow).collect()
 }
 
-fn albedo(field: &Field, said: &said::Material) -> Checked<Rgb> {
-    field::reflectance(&field.key("albedo"), said.albedo)
-}
-
-fn lamp(field: &Field, said: &said::Lamp) -> Checked<Lamp> {
-    let point = said.point.as_ref().map(|l| {
-        let field = field.key("point");
-        Ok(Lamp {
-            position: pair(&field.key("position"), l.position)?.as_vec2(),
-            power: field::light(&field.key("power"), l.power)?,
-        })
-    });
-    exactly_one(field, "kind of lamp", vec![("point", point)])?
-}
-
-fn object(field: &Field, all: &Description, said: &said::Object) -> Checked<Object> {
-    let albedo = match (&said.material, said.albedo) {
-        (Some(_), Some(_)) => {
-            return Err(
-                field.problem("has both `material` and `albedo`, but takes only one of them")
-            );
-        }
-        (Some(name), None) => Some(named_albedo(&field.key("material"), all, name)?),
-        (None, Some(color)) => Some(field::reflectance(&field.key("albedo"), color)?),
-        (None, None) => None,
-    };
-    let emission = match said.emits {
-        Some(color) => Some(field::light(&field.key("emits"), color)?),
-        None => None,
-    };
-    if albedo.is_none() && emission.is_none() {
-        return Err(field.problem("needs an `albedo`, a `material`, or `emits`"));
-    }
-    Ok(Object {
-        albedo: albedo.unwrap_or_default(),
-        emission: emission.unwrap_or_default(),
+fn point(position: Pair, power: Emission) -> Checked<Lamp> {
+    Ok(Lamp {
+        position: position.get()?.as_vec2(),
+        power: power.get()?,
     })
 }
 
-fn named_albedo(field: &Field, all: &Description, name: &str) -> Checked<Rgb> {
-    match all.materials.get(name) {
-        Some(material) => albedo(&Field::top().key("materials").key(name), material),
-        None if all.materials.is_empty() => Err(field.problem(format!(
-            "names \"{name}\", but the file defines no materials"
-        ))),
-        None => {
-            let defined: Vec<&str> = all.materials.keys().map(String::as_str).collect();
-            let defined = defined.join(", ");
-            Err(field.problem(format!("names \"{name}\"; defined are {defined}")))
+fn object(all: &Description, said: &said::Object) -> Checked<(Object, Vec<Shape>)> {
+    let albedo = match (&said.material, said.albedo) {
+        (Some(_), Some(_)) => {
+            return Problem::of("has both `material` and `albedo`, but takes only one of them");
         }
+        (Some(name), None) => Some(named(&all.materials, name).within("material")?.albedo),
+        (None, albedo) => albedo,
+    };
+    let seen = albedo.is_some() || said.emits.is_some();
+    check(seen, "needs an `albedo`, a `material`, or `emits`")?;
+    let object = Object {
+        albedo: albedo.map_or(Ok(Rgb::BLACK), |albedo| albedo.get())?,
+        emission: said.emits.map_or(Ok(Rgb::BLACK), Emission::get)?,
+    };
+    Ok((object, shapes(&said.shape)?))
+}
+
+fn shapes(said: &said::Shape) -> Checked<Vec<Shape>> {
+    match said {
+        said::Shape::Segment { from, to } => {
+            let wall = segment("`from`", from.get()?, to.get()?);
+            Ok(vec![wall.within("to").within("segment")?])
+        }
+        said::Shape::Circle { center, radius } => Ok(vec![Shape::Circle(Circle {
+            center: center.get()?.as_vec2(),
+            radius: radius.get()? as f32,
+        })]),
+        said::Shape::Polyline { points, closed } => polyline(points, *closed)
+            .within("points")
+            .within("polyline"),
     }
 }
 
-fn shapes(field: &Field, said: &said::Object) -> Checked<Vec<Shape>> {
-    let straight = said.segment.as_ref().map(|s| {
-        let field = field.key("segment");
-        let from = pair(&field.key("from"), s.from)?;
-        let to = pair(&field.key("to"), s.to)?;
-        Ok(vec![segment(&field.key("to"), "`from`", from, to)?])
-    });
-    let circle = said.circle.as_ref().map(|c| {
-        let field = field.key("circle");
-        Ok(vec![Shape::Circle(Circle {
-            center: pair(&field.key("center"), c.center)?.as_vec2(),
-            radius: field::positive(&field.key("radius"), c.radius)? as f32,
-        })])
-    });
-    let polyline = said
-        .polyline
-        .as_ref()
-        .map(|p| polyline(&field.key("polyline"), p));
-    let kinds = vec![
-        ("segment", straight),
-        ("circle", circle),
-        ("polyline", polyline),
-    ];
-    exactly_one(field, "shape", kinds)?
-}
-
-fn polyline(field: &Field, said: &said::Polyline) -> Checked<Vec<Shape>> {
-    let field = field.key("points");
-    let least = if said.closed { 3 } else { 2 };
-    if said.points.len() < least {
-        let given = said.points.len();
-        return Err(field.problem(format!("must be {least} points or more, not {given}")));
-    }
-    let points: Vec<DVec2> = said
-        .points
-        .iter()
-        .enumerate()
-        .map(|(i, &point)| pair(&field.item(i), point))
-        .collect::<Checked<_>>()?;
+fn polyline(points: &[Pair], closed: bool) -> Checked<Vec<Shape>> {
+    let least = if closed { 3 } else { 2 };
+    let given = points.len();
+    let what = format_args!("must be {least} points or more, not {given}");
+    check(given >= least, what)?;
+    let points: Vec<DVec2> = points.iter().map(|p| p.get()).collect::<Checked<_>>()?;
     let mut shapes = Vec::with_capacity(points.len());
     for (i, ends) in points.windows(2).enumerate() {
-        let end = field.item(i + 1);
-        shapes.push(segment(&end, "the one before", ends[0], ends[1])?);
+        shapes.push(segment("the one before", ends[0], ends[1]).within(i + 1)?);
     }
-    if let (true, [first, .., last]) = (said.closed, points.as_slice()) {
-        let end = field.item(points.len() - 1);
+    if let (true, [first, .., last]) = (closed, points.as_slice()) {
         let other = "the first: `closed` leads back there";
-        shapes.push(segment(&end, other, *last, *first)?);
+        shapes.push(segment(other, *last, *first).within(points.len() - 1)?);
     }
     Ok(shapes)
 }
 
-fn segment(end: &Field, other: &str, from: DVec2, to: DVec2) -> Checked<Shape> {
-    Segment::new(from, to)
-        .map(Shape::Segment)
-        .ok_or_else(|| end.problem(format!("must be another point than {other}")))
+fn segment(other: &str, from: DVec2, to: DVec2) -> Checked<Shape> {
+    let what = format!("must be another point than {other}");
+    let segment = Segment::new(from, to).ok_or(Problem::new(what))?;
+    Ok(Shape::Segment(segment))
 }
 
 /// The point P, on the surface that passes `probe.at` up to its decimals.
-fn probe(field: &Field, said: &said::Probe, world: &FlatWorld) -> Checked<FlatHit> {
+fn probe(said: &said::Probe, world: &FlatWorld) -> Checked<FlatHit> {
     /// Decimals are trusted to this share of the largest coordinate.
     const NEAR: f64 = 1e-5;
-    let (at, normal) = (field.key("at"), field.key("normal"));
-    let p = pair(&at, said.at)?;
-    let n = pair(&normal, said.normal)?
-        .try_normalize()
-        .ok_or_else(|| normal.problem("must not be [0, 0]: it is a direction"))?;
+    let p = said.at.get()?;
+    let n = said.normal.get()?.try_normalize();
+    let what = "must not be [0, 0]: it is a direction";
+    let n = n.ok_or(Problem::new(what).within("normal"))?;
     // From just above the point down to just below it.
     let near = NEAR * f64::from(world.reach()).max(p.abs().max_element());
     let hit = world
         .first_hit((p + n * near).as_vec2(), -n.as_vec2())
-        .filter(|hit| f64::from(hit.t) <= 2.0 * near)
-        .ok_or_else(|| at.problem("must lie on the surface of an object"))?;
-    if n.perp_dot(hit.surface.n.as_dvec2()).abs() > 1e-3 {
-        return Err(normal.problem("must be at right angles to the surface at `probe.at`"));
-    }
+        .filter(|hit| f64::from(hit.t) <= 2.0 * near);
+    let what = "must lie on the surface of an object";
+    let hit = hit.ok_or(Problem::new(what).within("at"))?;
+    let upright = n.perp_dot(hit.surface.n.as_dvec2()).abs() <= 1e-3;
+    let what = "must be at right angles to the surface at `probe.at`";
+    check(upright, what).within("normal")?;
     Ok(hit.seen_from(n.as_vec2()))
 }
 
-fn window(field: &Field, said: &said::Window) -> Checked<Window> {
-    let min = pair(&field.key("min"), said.min)?.as_vec2();
-    let max = pair(&field.key("max"), said.max)?.as_vec2();
-    if !min.cmplt(max).all() {
-        let what = "must be above and to the right of `window.min`";
-        return Err(field.key("max").problem(what));
-    }
+fn window(said: &said::Window) -> Checked<Window> {
+    let (min, max) = (said.min.get()?.as_vec2(), said.max.get()?.as_vec2());
+    let what = "must be above and to the right of `window.min`";
+    check(min.cmplt(max).all(), what).within("max")?;
     Ok(Window { min, max })
 }
 
@@ -211,12 +154,4 @@ fn everything(world: &FlatWorld) -> Window {
     let lamps = world.lamps.iter().map(|lamp| lamp.position);
     let probe = world.probe.iter().map(|probe| probe.surface.p);
     Window::around(shapes.chain(lamps).chain(probe))
-}
-
-/// A point or direction whose coordinates `f32` can hold.
-fn pair(field: &Field, Exactly(xy): Pair) -> Checked<DVec2> {
-    for x in xy {
-        field::finite(field, x)?;
-    }
-    Ok(DVec2::from(xy))
 }

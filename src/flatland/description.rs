@@ -1,17 +1,14 @@
 //! What a file of the flat world says: plain data, in the file's own words and units.
 //!
-//! Lengths are in scene units (metres, where power matters), colours linear. Serde derives the
-//! reading, and refuses fields that do not exist; every number is checked later, by
-//! [`build`](super::build::build).
+//! Lengths are in scene units (metres, where power matters), colours linear. It is read as scenes are:
+//! serde refuses fields that do not exist, and each value is of a type that says what is allowed.
 
-use crate::scene::description::{Color, Exactly};
+use crate::scene::value::{Albedo, Emission, Pair, Positive, Radiance};
+use serde::Deserialize;
 use std::collections::BTreeMap;
 
-/// Two coordinates.
-pub type Pair = Exactly<f64, 2>;
-
 /// A whole file.
-#[derive(Clone, Debug, serde::Deserialize)]
+#[derive(Clone, Debug, Default, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Description {
     /// The world's name.
@@ -20,7 +17,7 @@ pub struct Description {
     #[serde(default)]
     pub about: String,
     /// Radiance of rays that leave the world, in W/(m·rad).
-    pub background: Option<Color>,
+    pub background: Option<Radiance>,
     /// The point whose half disk is drawn.
     pub probe: Option<Probe>,
     /// The part of the plane that drawings show; without it, all of it.
@@ -37,7 +34,7 @@ pub struct Description {
 }
 
 /// A point of a surface, named P in the drawings.
-#[derive(Clone, Debug, serde::Deserialize)]
+#[derive(Clone, Debug, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Probe {
     /// Where it is: on an object.
@@ -47,7 +44,7 @@ pub struct Probe {
 }
 
 /// An upright rectangle of the plane.
-#[derive(Clone, Debug, serde::Deserialize)]
+#[derive(Clone, Debug, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Window {
     /// Lower left corner.
@@ -57,77 +54,67 @@ pub struct Window {
 }
 
 /// Ideal diffuse reflection, on both sides.
-#[derive(Clone, Debug, serde::Deserialize)]
+#[derive(Clone, Debug, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Material {
     /// Share of light reflected.
-    pub albedo: Color,
+    pub albedo: Albedo,
 }
 
 /// Something with a surface: an albedo, by itself or by the name of a material, an emission, or
-/// both, and exactly one shape.
-#[derive(Clone, Debug, serde::Deserialize)]
+/// both, and a shape.
+#[derive(Clone, Debug, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Object {
     /// The name of a material.
     pub material: Option<String>,
     /// Share of light reflected.
-    pub albedo: Option<Color>,
+    pub albedo: Option<Albedo>,
     /// Radiance emitted on the front side, in W/(m·rad).
-    pub emits: Option<Color>,
-    /// A segment.
-    pub segment: Option<Segment>,
-    /// A circle.
-    pub circle: Option<Circle>,
-    /// A chain of segments.
-    pub polyline: Option<Polyline>,
+    pub emits: Option<Emission>,
+    /// Its shape.
+    #[serde(rename = "a shape")]
+    pub shape: Shape,
 }
 
-/// A straight wall; it faces the left-hand side of the way from `from` to `to`.
-#[derive(Clone, Debug, serde::Deserialize)]
-#[serde(deny_unknown_fields)]
-pub struct Segment {
-    /// One end.
-    pub from: Pair,
-    /// The other.
-    pub to: Pair,
+/// A shape.
+#[derive(Clone, Debug, Deserialize)]
+#[serde(rename = "shape", rename_all = "snake_case", deny_unknown_fields)]
+pub enum Shape {
+    /// A straight wall; it faces the left-hand side of the way from `from` to `to`.
+    Segment {
+        /// One end.
+        from: Pair,
+        /// The other.
+        to: Pair,
+    },
+    /// A round wall, facing outwards.
+    Circle {
+        /// Centre.
+        center: Pair,
+        /// Radius.
+        radius: Positive,
+    },
+    /// A chain of segments: a room if it is closed and runs counter-clockwise, a block if clockwise.
+    Polyline {
+        /// The corners in order.
+        points: Vec<Pair>,
+        /// Whether a last segment leads back to the first corner.
+        #[serde(default)]
+        closed: bool,
+    },
 }
 
-/// A round wall, facing outwards.
-#[derive(Clone, Debug, serde::Deserialize)]
+/// A lamp without a surface.
+#[derive(Clone, Debug, Deserialize)]
+#[serde(rename = "kind of lamp", rename_all = "snake_case")]
 #[serde(deny_unknown_fields)]
-pub struct Circle {
-    /// Centre.
-    pub center: Pair,
-    /// Radius.
-    pub radius: f64,
-}
-
-/// A chain of segments: a room if it is closed and runs counter-clockwise, a block if clockwise.
-#[derive(Clone, Debug, serde::Deserialize)]
-#[serde(deny_unknown_fields)]
-pub struct Polyline {
-    /// The corners in order.
-    pub points: Vec<Pair>,
-    /// Whether a last segment leads back to the first corner.
-    #[serde(default)]
-    pub closed: bool,
-}
-
-/// A lamp without a surface: exactly one of its kinds.
-#[derive(Clone, Debug, serde::Deserialize)]
-#[serde(deny_unknown_fields)]
-pub struct Lamp {
-    /// A point.
-    pub point: Option<PointLamp>,
-}
-
-/// A point that shines the same everywhere.
-#[derive(Clone, Debug, serde::Deserialize)]
-#[serde(deny_unknown_fields)]
-pub struct PointLamp {
-    /// Where it is.
-    pub position: Pair,
-    /// In W, over all directions.
-    pub power: Color,
+pub enum Lamp {
+    /// A point that shines the same everywhere.
+    Point {
+        /// Where it is.
+        position: Pair,
+        /// In W, over all directions.
+        power: Emission,
+    },
 }

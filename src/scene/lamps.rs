@@ -2,11 +2,12 @@
 
 use super::Object;
 use super::description as said;
-use super::field::{self, Checked, Field, exactly_one};
+use super::field::{Checked, Problem, Within, check};
 use super::image_file;
-use super::parts::Parts;
+use super::parts::{Parts, alone};
+use super::value::{Finite, Positive, Radiance};
 use crate::color::Rgb;
-use crate::geometry::{Shape, Triangle};
+use crate::geometry::Shape;
 use crate::lights::{
     DirectionalLight, EnvironmentLight, Light, MeshLight, PointLight, QuadLight, SphereLight,
     TriangleLight,
@@ -16,81 +17,60 @@ use glam::Vec3;
 use std::path::Path;
 
 impl Parts<'_> {
-    pub(super) fn add_light(&mut self, field: &Field, said: &said::Light) -> Checked<()> {
-        let point = said.point.as_ref().map(|l| {
-            let field = field.key("point");
-            let at = field.key("position");
-            Ok(Light::Point(PointLight {
-                position: self.within_reach(&at, field::vector(&at, l.position)?)?,
-                intensity: field::light(&field.key("intensity"), l.intensity)?,
-            }))
-        });
-        let directional = said.directional.as_ref().map(|l| {
-            let field = field.key("directional");
-            let direction = field::direction(&field.key("direction"), l.direction)?;
-            Ok(Light::Directional(DirectionalLight {
-                from: -direction.as_vec3(),
-                irradiance: field::light(&field.key("irradiance"), l.irradiance)?,
-            }))
-        });
-        let kinds = vec![("point", point), ("directional", directional)];
-        self.lights
-            .push(exactly_one(field, "kind of light", kinds)??);
-        Ok(())
+    pub(super) fn light(&self, said: &said::Light) -> Checked<Light> {
+        Ok(match *said {
+            said::Light::Point {
+                position,
+                intensity,
+            } => {
+                let position = position.get().and_then(|p| self.relative(p));
+                Light::Point(PointLight {
+                    position: position.within("position").within("point")?,
+                    intensity: intensity.get()?,
+                })
+            }
+            said::Light::Directional {
+                direction,
+                irradiance,
+            } => Light::Directional(DirectionalLight {
+                from: -direction.get()?.as_vec3(),
+                irradiance: irradiance.get()?,
+            }),
+        })
     }
 
-    /// Adds shapes that shine: all triangles as one light, all others one by one.
+    /// Adds shapes as one object. Of those that shine, all triangles of a mesh are one light, and all
+    /// others are lights and objects of their own.
     ///
     /// A lamp in the very place of an earlier one is left out and counted: no ray ever meets it.
-    pub(super) fn push_lamp(
+    pub(super) fn push(
         &mut self,
         mut shapes: Vec<Shape>,
         material: Option<Material>,
-        emission: Emission,
+        emission: Option<Emission>,
         span: Vec3,
     ) {
-        let before = shapes.len();
-        shapes.retain(|shape| {
-            let place = place_of(shape, span, emission.two_sided);
-            self.lamp_places.insert(place)
-        });
-        self.hidden_lamps += before - shapes.len();
-        if shapes.is_empty() {
-            return;
+        let mut together = shapes.len();
+        if let Some(Emission { two_sided, .. }) = emission {
+            shapes.retain(|shape| self.lamp_places.insert(place_of(shape, span, two_sided)));
+            self.hidden_lamps += together - shapes.len();
+            if !matches!(shapes.first(), Some(Shape::Triangle(_))) {
+                together = 1;
+            }
         }
-        let triangles = shapes.iter().map(|shape| match shape {
-            Shape::Triangle(triangle) => Some(*triangle),
-            Shape::Quad(_) | Shape::Sphere(_) => None,
-        });
-        if let Some(triangles) = triangles.collect::<Option<Vec<_>>>() {
-            let light = emission.of_triangles(triangles);
-            self.push(shapes, material, light.map(|light| (light, emission)));
-            return;
+        for shapes in shapes.chunks(together.max(1)) {
+            let object = self.objects.len() as u32;
+            let light = emission.and_then(|emission| emission.light(shapes));
+            let emission = emission.filter(|_| light.is_some());
+            self.objects.push(Object {
+                material,
+                emission: emission.map_or(Rgb::BLACK, |e| e.radiance),
+                two_sided: emission.is_some_and(|e| e.two_sided),
+                light: light.as_ref().map(|_| self.lights.len() as u32),
+            });
+            self.lights.extend(light);
+            self.all.extend(shapes.iter().map(|&shape| (shape, object)));
         }
-        for shape in shapes {
-            let light = emission.of_shape(shape);
-            self.push(vec![shape], material, Some((light, emission)));
-        }
-    }
-
-    /// Adds shapes as one object, which may be a light.
-    pub(super) fn push(
-        &mut self,
-        shapes: Vec<Shape>,
-        material: Option<Material>,
-        light: Option<(Light, Emission)>,
-    ) {
-        let object = self.objects.len() as u32;
-        let index = light.as_ref().map(|_| self.lights.len() as u32);
-        let (light, emission) = light.unzip();
-        self.lights.extend(light);
-        self.objects.push(Object {
-            material,
-            emission: emission.map_or(Rgb::BLACK, |e| e.radiance),
-            two_sided: emission.is_some_and(|e| e.two_sided),
-            light: index,
-        });
-        self.all.extend(shapes.into_iter().map(|s| (s, object)));
     }
 }
 
@@ -102,35 +82,32 @@ pub(super) struct Emission {
 }
 
 impl Emission {
-    /// The light of all these triangles; `None` where they have no area.
-    fn of_triangles(self, triangles: Vec<Triangle>) -> Option<Light> {
-        if let [triangle] = *triangles {
-            return Some(self.of_shape(Shape::Triangle(triangle)));
-        }
-        let light = MeshLight::new(triangles, self.radiance)?;
-        Some(Light::Mesh(match self.two_sided {
-            true => light.two_sided(),
-            false => light,
-        }))
-    }
-
-    fn of_shape(self, shape: Shape) -> Light {
+    /// The light of one shape, or of some triangles; `None` where these have no area.
+    fn light(self, shapes: &[Shape]) -> Option<Light> {
         let Emission {
             radiance,
             two_sided,
         } = self;
-        match shape {
-            Shape::Sphere(sphere) => Light::Sphere(SphereLight { sphere, radiance }),
-            Shape::Triangle(triangle) => Light::Triangle(TriangleLight {
+        Some(match *shapes {
+            [Shape::Sphere(sphere)] => Light::Sphere(SphereLight { sphere, radiance }),
+            [Shape::Triangle(triangle)] => Light::Triangle(TriangleLight {
                 triangle,
                 radiance,
                 two_sided,
             }),
-            Shape::Quad(quad) => {
+            [Shape::Quad(quad)] => {
                 let light = QuadLight::new(quad, radiance);
                 Light::Quad(if two_sided { light.two_sided() } else { light })
             }
-        }
+            _ => {
+                let triangles = shapes.iter().filter_map(|shape| match shape {
+                    Shape::Triangle(triangle) => Some(*triangle),
+                    Shape::Quad(_) | Shape::Sphere(_) => None,
+                });
+                let light = MeshLight::new(triangles.collect(), radiance)?;
+                Light::Mesh(if two_sided { light.two_sided() } else { light })
+            }
+        })
     }
 }
 
@@ -163,55 +140,46 @@ const MAX_PIXELS: usize = 1 << 26;
 
 /// What is seen beyond the scene: a constant radiance, or a light one can aim at.
 pub(super) fn environment(
-    top: &Field,
     said: &said::Description,
     folder: Option<&Path>,
 ) -> Checked<(Rgb, Option<Light>)> {
     let Some(environment) = &said.environment else {
-        let constant = match said.background {
-            Some(color) => field::light_or_none(&top.key("background"), color)?,
-            None => Rgb::BLACK,
-        };
-        return Ok((constant, None));
+        let constant = said.background.map_or(Ok(Rgb::BLACK), Radiance::get);
+        return Ok((constant.within("background")?, None));
     };
-    let field = top.key("environment");
-    if said.background.is_some() {
-        return Err(field.problem("cannot stand beside `background`, which says the same"));
-    }
-    let radiance = environment.radiance.map(|color| {
-        for (name, given) in [
-            ("scale", environment.scale.is_some()),
-            ("rotate", environment.rotate.is_some()),
-        ] {
-            if given {
-                return Err(field.key(name).problem("is only possible with an `image`"));
-            }
+    let what = "cannot stand beside `background`, which says the same";
+    let alone = check(said.background.is_none(), what);
+    alone
+        .and_then(|()| beyond(environment, folder))
+        .within("environment")
+}
+
+fn beyond(said: &said::Environment, folder: Option<&Path>) -> Checked<(Rgb, Option<Light>)> {
+    match &said.light {
+        said::Sky::Radiance(color) => {
+            let what = "is only possible with an `image`";
+            check(said.scale.is_none(), what).within("scale")?;
+            check(said.rotate.is_none(), what).within("rotate")?;
+            Ok((color.get()?, None))
         }
-        Ok((field::light_or_none(&field.key("radiance"), color)?, None))
-    });
-    let image = environment.image.as_ref().map(|file| {
-        let light = image_light(&field, environment, file, folder)?;
-        Ok((Rgb::BLACK, light.map(Light::Environment)))
-    });
-    let kinds = vec![("radiance", radiance), ("image", image)];
-    exactly_one(&field, "kind of environment", kinds)?
+        said::Sky::Image(file) => {
+            let scale = said.scale.map_or(Ok(1.0), Positive::get)?;
+            let angle = said.rotate.map_or(Ok(0.0), Finite::get)?.to_radians();
+            let light = image_light(file, alone(folder).within("image")?, scale, angle);
+            Ok((Rgb::BLACK, light.within("image")?.map(Light::Environment)))
+        }
+    }
 }
 
 /// The light of an image; `None` where all of it is black.
 fn image_light(
-    field: &Field,
-    said: &said::Environment,
     file: &Path,
-    folder: Option<&Path>,
+    folder: &Path,
+    scale: f64,
+    angle: f64,
 ) -> Checked<Option<EnvironmentLight>> {
-    let scale = field::positive(&field.key("scale"), said.scale.unwrap_or(1.0))?;
-    let degrees = field::finite(&field.key("rotate"), said.rotate.unwrap_or(0.0))?;
-    let field = field.key("image");
-    let Some(folder) = folder else {
-        return Err(field.problem("is only possible in a scene file of its own"));
-    };
     let path = folder.join(file);
-    let complain = |what: String| field.problem(format!("names {}, which {what}", path.display()));
+    let complain = |what: String| Problem::new(format!("names {}, which {what}", path.display()));
     let (width, mut pixels) = image_file::read(&path, MAX_PIXELS).map_err(complain)?;
     for (at, pixel) in pixels.iter_mut().enumerate() {
         let scaled = pixel.channels().map(|x| (f64::from(x) * scale) as f32);
@@ -225,5 +193,5 @@ fn image_light(
         }
         *pixel = Rgb::from(scaled);
     }
-    Ok(EnvironmentLight::new(width, pixels, degrees.to_radians()))
+    Ok(EnvironmentLight::new(width, pixels, angle))
 }

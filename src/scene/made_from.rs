@@ -1,7 +1,7 @@
 //! What a scene was made from, so that another can be made from it.
 
 use super::Scene;
-use super::build::build;
+use super::build::assemble;
 use super::description::Description;
 use super::read::{SceneError, Source};
 use std::path::{Path, PathBuf};
@@ -25,16 +25,26 @@ impl MadeFrom {
     /// Reads a text.
     pub(super) fn new(source: Source, folder: Option<&Path>) -> Result<Self, SceneError> {
         let start = Instant::now();
-        let description: Description = source.parse()?;
-        let beside = folder.unwrap_or(Path::new(""));
+        let described = MadeFrom::described(source.parse()?, folder);
         Ok(MadeFrom {
-            files: description.files().map(|f| beside.join(f)).collect(),
-            description,
-            folder: folder.map(Path::to_owned),
             file: source.file.to_owned(),
             text: source.text.to_owned(),
             reading: start.elapsed(),
+            ..described
         })
+    }
+
+    /// What no file says.
+    pub(super) fn described(description: Description, folder: Option<&Path>) -> Self {
+        let beside = folder.unwrap_or(Path::new(""));
+        MadeFrom {
+            files: description.files().map(|f| beside.join(f)).collect(),
+            folder: folder.map(Path::to_owned),
+            file: description.name.clone(),
+            text: String::new(),
+            reading: Duration::ZERO,
+            description,
+        }
     }
 
     /// The scene of the description after a change, which may have no use for some of the files.
@@ -49,7 +59,7 @@ impl MadeFrom {
             file: &from.file,
             text: &from.text,
         };
-        let mut scene = build(&from).map_err(|problem| source.locate(&problem))?;
+        let mut scene = assemble(&from).map_err(|problem| source.locate(&problem))?;
         scene.report.time = from.reading + start.elapsed();
         Ok(scene)
     }

@@ -1,7 +1,7 @@
 //! From a scene file to something rays can meet.
 //!
-//! [`read`] turns a file into a [`description`] (plain data, derived by serde), [`build`] checks
-//! it and makes a [`Scene`], [`gallery`] holds the scenes that come with the program, and
+//! [`read`] turns a file into a [`description`] (plain data, derived by serde, of [`value`]s with
+//! rules), [`build`] makes a [`Scene`] of it, [`gallery`] holds the scenes that come with the program, and
 //! [`tracer`] is the only way integrators look at a scene: it counts what they ask.
 
 mod ball;
@@ -25,8 +25,9 @@ mod procedural;
 pub mod read;
 mod solids;
 mod spacing;
-mod tables;
 pub mod tracer;
+mod tree;
+pub mod value;
 
 pub use casters::{Casters, SeenCasters};
 pub use effects::{Effect, Effects, Inventory, Sky};

@@ -2,16 +2,10 @@
 
 use super::Object;
 use super::contacts::Placed;
-use super::description::{Exactly, Triple};
-use super::field::{self, Checked, Field};
+use super::field::{Checked, check};
+use super::value::Triple;
 use crate::geometry::{Bvh, Moving, Shape};
 use glam::{DVec3, Vec3};
-
-/// When the shutter opens and closes, in units of time.
-pub(super) struct Shutter {
-    open: f64,
-    close: f64,
-}
 
 /// How an object moves while the shutter is open.
 pub(super) struct Way {
@@ -21,52 +15,24 @@ pub(super) struct Way {
     pub span: Vec3,
 }
 
-impl Shutter {
-    pub(super) fn new(field: &Field, Exactly([open, close]): Exactly<f64, 2>) -> Checked<Self> {
-        field::finite(&field.item(0), open)?;
-        field::finite(&field.item(1), close)?;
-        if open > close {
-            return Err(field.problem(format!(
-                "must not close before it opens, but opens at {open} and closes at {close}"
-            )));
-        }
-        Ok(Shutter { open, close })
-    }
-
-    /// The way of an object that moves by `motion` in each unit of time.
-    pub(super) fn way(&self, field: &Field, motion: Option<Triple>) -> Checked<Way> {
-        let Some(motion) = motion else {
-            return Ok(Way {
-                start: DVec3::ZERO,
-                span: Vec3::ZERO,
-            });
-        };
-        let motion = field::vector(field, motion)?;
-        let start = motion * self.open;
-        let span = (motion * (self.close - self.open)).as_vec3();
-        if start.as_vec3().is_finite() && span.is_finite() {
-            Ok(Way { start, span })
-        } else {
-            Err(too_far(field))
-        }
-    }
-}
-
 impl Way {
+    /// The way of an object that moves by `motion` in each unit of time.
+    pub(super) fn new([open, close]: [f64; 2], motion: Triple) -> Checked<Self> {
+        let motion = motion.get()?;
+        let start = motion * open;
+        let span = (motion * (close - open)).as_vec3();
+        let near = start.as_vec3().is_finite() && span.is_finite();
+        check(near, TOO_FAR).map(|()| Way { start, span })
+    }
+
     /// A complaint where one of the shapes leaves the numbers on this way.
-    pub(super) fn check(&self, field: &Field, shapes: &[Shape]) -> Checked<()> {
+    pub(super) fn check(&self, shapes: &[Shape]) -> Checked<()> {
         let stays = |shape: &Shape| Moving::new(*shape, self.span).is_some();
-        if self.span == Vec3::ZERO || shapes.iter().all(stays) {
-            Ok(())
-        } else {
-            Err(too_far(field))
-        }
+        check(self.span == Vec3::ZERO || shapes.iter().all(stays), TOO_FAR)
     }
 }
 
-fn too_far(field: &Field) -> field::Problem {
-    field.problem("must keep the object within 3.4e38 of the camera while the shutter is open")
-}
+const TOO_FAR: &str = "must keep the object within 3.4e38 of the camera while the shutter is open";
 
 /// Shapes in motion, and lights that move with them. Time runs from 0, where the shutter opens, to
 /// 1, where it closes.

@@ -1,7 +1,6 @@
 //! What a scene is put together from.
 
-use super::field::{Checked, Field};
-use super::motion::Shutter;
+use super::field::{Checked, Problem, check};
 use super::spacing::Misplaced;
 use super::{Inventory, Object};
 use crate::geometry::Shape;
@@ -12,11 +11,13 @@ use std::collections::{BTreeMap, BTreeSet};
 use std::path::Path;
 
 /// A scene while it is put together.
+#[derive(Default)]
 pub(super) struct Parts<'a> {
     /// The camera's place: all coordinates become relative to it.
     pub(super) origin: DVec3,
     pub(super) folder: Option<&'a Path>,
-    pub(super) shutter: Shutter,
+    /// When the shutter opens and when it closes.
+    pub(super) shutter: [f64; 2],
     pub(super) materials: BTreeMap<String, Material>,
     /// All shapes, where they are when the shutter opens, and the objects they belong to.
     pub(super) all: Vec<(Shape, u32)>,
@@ -25,8 +26,8 @@ pub(super) struct Parts<'a> {
     pub(super) spans: Vec<Vec3>,
     pub(super) lights: Vec<Light>,
     pub(super) degenerate_triangles: usize,
-    /// For each object where the file says it.
-    pub(super) fields: Vec<Field>,
+    /// For each object its number in the file.
+    pub(super) numbers: Vec<usize>,
     /// What is so large that rounding moves it.
     pub(super) misplaced: Misplaced,
     /// What else is to be said about the scene.
@@ -49,18 +50,14 @@ impl Parts<'_> {
         }
     }
 
-    /// A point, relative to the camera.
-    pub(super) fn relative(&self, p: DVec3) -> Vec3 {
-        (p - self.origin).as_vec3()
+    /// A point, relative to the camera; worth nothing where `f32` cannot hold it.
+    pub(super) fn relative(&self, p: DVec3) -> Checked<Vec3> {
+        let p = (p - self.origin).as_vec3();
+        check(p.is_finite(), "must be at most 3.4e38 away from the camera").map(|()| p)
     }
+}
 
-    /// The same for a point that is worth nothing where `f32` cannot hold it.
-    pub(super) fn within_reach(&self, field: &Field, p: DVec3) -> Checked<Vec3> {
-        let p = self.relative(p);
-        if p.is_finite() {
-            Ok(p)
-        } else {
-            Err(field.problem("must be at most 3.4e38 away from the camera"))
-        }
-    }
+/// The folder of a scene file, in which it looks for other files.
+pub(super) fn alone(folder: Option<&Path>) -> Checked<&Path> {
+    folder.ok_or(Problem::new("is only possible in a scene file of its own"))
 }

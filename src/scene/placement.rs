@@ -1,8 +1,8 @@
 //! Transforms of shapes.
 
 use super::description as said;
-use super::field::{self, Checked, Field};
-use glam::{DMat3, DVec3, Vec3};
+use super::field::{Checked, Within};
+use glam::{DMat3, DVec3};
 
 /// Where a shape is put: scaled, then rotated, then shifted, all in `f64`.
 pub(super) struct Placement {
@@ -12,35 +12,16 @@ pub(super) struct Placement {
 }
 
 impl Placement {
-    pub(super) fn new(field: &Field, said: Option<&said::Transform>) -> Checked<Self> {
-        let said = said.cloned().unwrap_or_default();
-        let scale_field = field.key("scale");
-        let scale = match said.scale {
-            Some(said::Color(factors)) => field::vector(&scale_field, said::Exactly(factors))?,
-            None => DVec3::ONE,
-        };
-        // As f32, like every other length: what is zero there leaves nothing to hit.
-        if scale.as_vec3().cmpeq(Vec3::ZERO).any() {
-            let what = "must not be 0 along any axis: the shape would have no volume left";
-            return Err(scale_field.problem(what));
-        }
+    pub(super) fn new(said: &said::Transform) -> Checked<Self> {
+        let scale = said.scale.get().within("scale")?;
         let rotation = match &said.rotate {
-            Some(r) => {
-                let field = field.key("rotate");
-                let axis = field::direction(&field.key("axis"), r.axis)?;
-                let degrees = field::finite(&field.key("degrees"), r.degrees)?;
-                rotation(axis, degrees.to_radians())
-            }
+            Some(r) => rotation(r.axis.get()?, r.degrees.get()?.to_radians()),
             None => DMat3::IDENTITY,
-        };
-        let shift = match said.translate {
-            Some(t) => field::vector(&field.key("translate"), t)?,
-            None => DVec3::ZERO,
         };
         Ok(Placement {
             linear: rotation * DMat3::from_diagonal(scale),
             scale,
-            shift,
+            shift: said.translate.get().within("translate")?,
         })
     }
 
@@ -62,13 +43,8 @@ impl Placement {
 
     /// True where front and back change places.
     pub(super) fn mirrors(&self) -> bool {
-        self.scale
-            .to_array()
-            .into_iter()
-            .filter(|s| *s < 0.0)
-            .count()
-            % 2
-            == 1
+        let signs = self.scale.to_array().map(|s| s < 0.0);
+        signs[0] ^ signs[1] ^ signs[2]
     }
 
     /// The factor all lengths change by, if it is one.

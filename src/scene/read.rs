@@ -1,10 +1,9 @@
 //! From a file to a description, with errors that name the line and the field.
 
-use super::field::{Field, Problem, Step};
-use super::tables::{TABLE_OF, Tables};
+use super::field::{Problem, Step};
+use super::tree::Value;
 use serde::de::DeserializeOwned;
 use std::borrow::Cow;
-use std::ops::Range;
 use std::path::Path;
 use toml::Spanned;
 use toml::de::{DeTable, DeValue};
@@ -136,7 +135,7 @@ pub fn unknown(name: &str, gallery: &[(&str, &str)]) -> SceneError {
 const ALIKE: f64 = 0.8;
 
 /// The name that was meant, if one is near enough.
-fn nearest<'a>(name: &str, names: &[&'a str]) -> Option<&'a str> {
+pub(super) fn nearest<'a>(name: &str, names: &[&'a str]) -> Option<&'a str> {
     let stem = name.trim_end_matches(".toml").to_lowercase();
     let near = |other: &&'a str| (strsim::jaro_winkler(&stem, other), *other);
     let best = names.iter().map(near).max_by(|a, b| a.0.total_cmp(&b.0))?;
@@ -155,177 +154,48 @@ pub struct Source<'a> {
 impl Source<'_> {
     /// Reads the text into a description of any kind.
     pub fn parse<T: DeserializeOwned>(&self) -> Result<T, SceneError> {
-        toml::Deserializer::parse(self.text)
-            .and_then(|document| T::deserialize(Tables(document)))
-            .map_err(|error| self.parse_error(&error))
+        let top = self.top()?;
+        T::deserialize(Value::Said(top.get_ref())).map_err(|problem| self.locate(&problem))
     }
 
-    /// Turns a complaint about a field into an error with its line.
+    /// Turns a problem of a value into an error with its line: where the value is missing, that of the
+    /// nearest table around it.
     pub fn locate(&self, problem: &Problem) -> SceneError {
-        let line = DeTable::parse(self.text)
-            .map_or(1, |top| self.line(span_of(&top, &problem.field).start));
+        let top = match self.top() {
+            Ok(top) => top,
+            Err(error) => return error,
+        };
+        let mut value = &top;
+        for step in &problem.field.0 {
+            let next = match step {
+                Step::Key(key) => value.get_ref().get(key),
+                Step::Item(index) => value.get_ref().get(index),
+            };
+            let Some(next) = next else { break };
+            value = next;
+        }
+        self.error(value.span().start, problem.field.to_string(), &problem.what)
+    }
+
+    /// The whole file as a value.
+    fn top(&self) -> Result<Spanned<DeValue<'_>>, SceneError> {
+        match DeTable::parse(self.text) {
+            Ok(top) => Ok(Spanned::new(top.span(), DeValue::Table(top.into_inner()))),
+            Err(error) => {
+                let at = error.span().map_or(0, |span| span.start);
+                let what = format!("is not proper TOML: {}", error.message());
+                Err(self.error(at, String::new(), &what))
+            }
+        }
+    }
+
+    fn error(&self, at: usize, field: String, what: &str) -> SceneError {
         SceneError::Value {
             file: self.file.to_owned(),
-            line,
-            field: problem.field.to_string(),
-            what: sentence(&problem.what),
+            line: line_after(&self.text.as_bytes()[..at.min(self.text.len())]),
+            field,
+            // On one line.
+            what: what.split_whitespace().collect::<Vec<_>>().join(" "),
         }
     }
-
-    fn parse_error(&self, error: &toml::de::Error) -> SceneError {
-        let span = error.span().unwrap_or(0..0);
-        let message = sentence(error.message());
-        let problem = match DeTable::parse(self.text) {
-            Ok(top) => explain(&field_at(&top, &span), &message),
-            Err(_) => Field::top().problem(format!("is not proper TOML: {message}")),
-        };
-        SceneError::Value {
-            file: self.file.to_owned(),
-            line: self.line(span.start),
-            field: problem.field.to_string(),
-            what: problem.what,
-        }
-    }
-
-    fn line(&self, offset: usize) -> usize {
-        line_after(&self.text.as_bytes()[..offset.min(self.text.len())])
-    }
-}
-
-/// A message without its line breaks.
-fn sentence(message: &str) -> String {
-    message.split_whitespace().collect::<Vec<_>>().join(" ")
-}
-
-/// Serde's complaint about `field` in the words of all others; what is none of its usual ones
-/// stays as it is.
-fn explain(field: &Field, message: &str) -> Problem {
-    if let Some(name) = message.strip_prefix("missing field ") {
-        return field.key(name.trim_matches('`')).problem("is missing");
-    }
-    let Some((found, expected)) = message.rsplit_once(", expected ") else {
-        return field.problem(format!("cannot be read: {message}"));
-    };
-    let (expected, fields) = match expected.strip_prefix(TABLE_OF) {
-        Some(fields) => ("a table", format!("; its fields are {fields}")),
-        None => (expected, String::new()),
-    };
-    let expected = match expected {
-        "f64" => "a number",
-        "i64" => "a whole number",
-        "a sequence" => "a list",
-        other => other.trim_start_matches("one of "),
-    };
-    field.problem(if found.starts_with("unknown field ") {
-        format!("is not a field here; allowed: {expected}")
-    } else if let Some(count) = found.strip_prefix("invalid length ") {
-        format!("must be {expected}, not {count} of them")
-    } else {
-        let found = found
-            .trim_start_matches("invalid type: ")
-            .trim_end_matches(" as i128");
-        match found {
-            "map" => format!("must be {expected}, not a table"),
-            "sequence" => format!("must be {expected}, not a list{fields}"),
-            _ => format!("must be {expected}, not the {found}{fields}"),
-        }
-    })
-}
-
-/// Where the value of `field` stands; the nearest table around it where it is missing.
-fn span_of(top: &Spanned<DeTable>, field: &Field) -> Range<usize> {
-    let mut span = top.span();
-    let mut steps = field.0.iter();
-    let Some(Step::Key(first)) = steps.next() else {
-        return span;
-    };
-    let Some((_, mut value)) = entry(top.get_ref(), first) else {
-        return span;
-    };
-    span = value.span();
-    for step in steps {
-        let next = match (value.get_ref(), step) {
-            (DeValue::Table(table), Step::Key(key)) => entry(table, key).map(|(_, v)| v),
-            (DeValue::Array(array), Step::Item(index)) => array.get(*index),
-            _ => None,
-        };
-        match next {
-            Some(v) => value = v,
-            None => break,
-        }
-        span = value.span();
-    }
-    span
-}
-
-fn entry<'a, 'i>(
-    table: &'a DeTable<'i>,
-    key: &str,
-) -> Option<(
-    &'a Spanned<toml::de::DeString<'i>>,
-    &'a Spanned<DeValue<'i>>,
-)> {
-    table.iter().find(|(k, _)| k.get_ref() == key)
-}
-
-/// The innermost field whose key or value covers `span`.
-fn field_at(top: &Spanned<DeTable>, span: &Range<usize>) -> Field {
-    let mut field = Field::top();
-    let mut table = top.get_ref();
-    'deeper: loop {
-        for (key, value) in table {
-            let here = field.key(key.get_ref());
-            if covers(&key.span(), span) {
-                return here;
-            }
-            match value.get_ref() {
-                DeValue::Table(inner) if covers(&value.span(), span) || reaches(inner, span) => {
-                    field = here;
-                    table = inner;
-                    continue 'deeper;
-                }
-                DeValue::Array(items) => {
-                    let inside = items.iter().enumerate().find(|(_, item)| {
-                        covers(&item.span(), span)
-                            || matches!(item.get_ref(), DeValue::Table(t) if reaches(t, span))
-                    });
-                    match inside {
-                        Some((i, item)) => match item.get_ref() {
-                            DeValue::Table(inner) => {
-                                field = here.item(i);
-                                table = inner;
-                                continue 'deeper;
-                            }
-                            _ => return here.item(i),
-                        },
-                        None if covers(&value.span(), span) => return here,
-                        None => {}
-                    }
-                }
-                _ if covers(&value.span(), span) => return here,
-                _ => {}
-            }
-        }
-        return field;
-    }
-}
-
-/// True where a key or value anywhere below `table` covers `span`: the span of a table with a
-/// header of its own is the header alone.
-fn reaches(table: &DeTable, span: &Range<usize>) -> bool {
-    table.iter().any(|(key, value)| {
-        covers(&key.span(), span)
-            || covers(&value.span(), span)
-            || match value.get_ref() {
-                DeValue::Table(inner) => reaches(inner, span),
-                DeValue::Array(items) => items
-                    .iter()
-                    .any(|item| matches!(item.get_ref(), DeValue::Table(t) if reaches(t, span))),
-                _ => false,
-            }
-    })
-}
-
-fn covers(outer: &Range<usize>, inner: &Range<usize>) -> bool {
-    outer.start <= inner.start && inner.end <= outer.end && !inner.is_empty()
 }

@@ -193,6 +193,14 @@ fov = 40 | fov = "wide" | camera.fov | must be a number, not the string "wide"
 fov = 40 | fov = [40] | camera.fov | must be a number, not a list
 fov = 40 | fov = { degrees = 40 } | camera.fov | must be a number, not a table
 fov = 40 | fov = 1e400 | camera.fov | overflow
+fov = 40 | fov = 1979-05-27 | camera.fov | must be a number, not the date
+fov = 40 | fov = 99999999999999999999 | camera.fov | must be a number, not the integer `99999999999999999999`
+fov = 40 | fov = 0xfffffffffffffffffffffffffffffffffffff | camera.fov | overflows
+radius = 0.5 } | radius = 0.5 }⏎two_sided = true # <- | objects[1].two_sided | only possible with `emits`
+emits = [2, 2, 2] | emits = [2, 2, 2]⏎two_sided = 1 # <- | objects[5].two_sided | must be a boolean
+scale = 1.5 | scale = [1, nan, 1] | objects[1].transform.scale[1] | finite
+background = 0.5 | environment = { image = 3 } | environment.image | must be a path in quotes, not the integer `3`
+background = 0.5 | environment = 3 | environment | must be a table, not the integer `3`; its fields are a radiance or an image, scale, rotate
 from = [0, 1, 6] | from = 6 | camera.from | must be 3 numbers in brackets
 from = [0, 1, 6] | from = [0, 6] | camera.from | must be 3 numbers in brackets, not 2
 from = [0, 1, 6] | from = [0, 1, 6, 1] | camera.from | 3 numbers in brackets, not 4
@@ -222,6 +230,11 @@ material = "dull" | material = "dill" | objects[0].material | defined are clear,
             "objects = 3",
             "objects",
             "must be a list, not the integer `3`",
+        ),
+        (
+            "objects = [3]",
+            "objects[0]",
+            "its fields are material, emits, two_sided, transform, motion, a shape",
         ),
         ("objects = [3]", "objects[0]", "must be a table"),
         ("lights = [{}, 3]", "lights[1]", "must be a table"),
@@ -277,6 +290,30 @@ rotate = { axis = [0, 1, 0], degrees = 30 } | rotate = [0, 90, 0] | objects[1].t
 rotate = { axis = [0, 1, 0], degrees = 30 } | rotate = [[0, 1, 0], 30] | objects[1].transform.rotate | must be a table, not a list; its fields are axis, degrees
 sphere = { center = [1, 0.5, 0], radius = 0.5 } | sphere = [[1, 0.5, 0], 0.5] | objects[1].sphere | must be a table, not a list; its fields are center, radius, inward
 lambert = { albedo = [0.5, 0.4, 0.3] } | lambert = [0.5] | materials.dull.lambert | must be a table, not a list; its fields are albedo
+"#,
+    );
+}
+
+#[test]
+fn a_field_nearly_right_is_followed_by_the_one_that_is_meant() {
+    check(
+        r#"
+fov = 40 | fow = 40 | camera.fow | `focus`, `shutter`; did you mean `fov`?
+lambert = | lambret = | materials.dull.lambret | `mixture`; did you mean `lambert`?
+sphere = | Sphere = | objects[1].Sphere | `bumpy_sphere`; did you mean `sphere`?
+intensity = | intensty = | lights[0].point.intensty | `position` or `intensity`; did you mean `intensity`?
+"#,
+    );
+}
+
+#[test]
+fn words_for_a_choice_are_no_fields() {
+    check(
+        r#"
+material = "dull"⏎quad | material = "dull"⏎"a shape" = 3 # <-⏎quad | objects[0]."a shape" | is not a field here
+background = 0.5 | environment = { "a radiance or an image" = 1 } | environment."a radiance or an image" | `radiance`, `image`
+[materials.dull] | [materials."a shape"]⏎lambert = { albedo = 2 } # <-⏎[materials.dull] | materials."a shape".lambert.albedo | between 0 and 1
+[[lights]]⏎point = { | [[lights]]⏎"kind of light" = 3 # <-⏎point = { | lights[0]."kind of light" | `point` or `directional`
 "#,
     );
 }

@@ -255,7 +255,7 @@ fn one_effect_more_is_one_flag_more() {
     use Effect::*;
     let quad = |material: &str| FLOOR.replace("half", material);
     let sky = |said: &mut Description| {
-        said.background = Some(halfdisk::scene::description::Color([1.0; 3]));
+        said.background = Some(halfdisk::scene::value::Radiance([1.0; 3]));
     };
     assert_eq!(effects(&scene("", LAMP)), [AreaLights]);
     assert_eq!(effects(&scene("", POINT)), [PointLights]);

@@ -7,7 +7,8 @@ use halfdisk::integrators::{Entry, Integrator, Kajiya, Path, Roulette};
 use halfdisk::numeric::naive;
 use halfdisk::render::{Film, Options, render};
 use halfdisk::sampling::stream::{Sampler, Stream};
-use halfdisk::scene::description::{Description, Exactly};
+use halfdisk::scene::description::{Description, Shape};
+use halfdisk::scene::value::Triple;
 use halfdisk::scene::{Scene, Tracer};
 
 const SIZE: [i64; 2] = [40, 30];
@@ -33,26 +34,26 @@ fn apart(a: &Film, b: &Film) -> f64 {
 /// The room with every point sent elsewhere; `turns` where left and right change places.
 fn mapped(map: impl Fn(DVec3) -> DVec3, scale: f64, turns: bool) -> Scene {
     room_with(SIZE, |said: &mut Description| {
-        let point = |p: &mut Exactly<f64, 3>| p.0 = map(DVec3::from(p.0)).to_array();
-        [
-            &mut said.camera.from,
-            &mut said.camera.to,
-            &mut said.camera.up,
-        ]
-        .into_iter()
-        .for_each(point);
+        let point = |p: &mut [f64; 3]| *p = map(DVec3::from(*p)).to_array();
+        let camera = &mut said.camera;
+        [&mut camera.from.0, &mut camera.to.0, &mut camera.up.0]
+            .into_iter()
+            .for_each(point);
         for object in &mut said.objects {
-            if let Some(s) = &mut object.sphere {
-                point(&mut s.center);
-                s.radius *= scale;
-            }
-            if let Some(q) = &mut object.quad {
-                [&mut q.corner, &mut q.u, &mut q.v]
-                    .into_iter()
-                    .for_each(point);
-                if turns {
-                    std::mem::swap(&mut q.u, &mut q.v);
+            match &mut object.shape {
+                Shape::Sphere { center, radius, .. } => {
+                    point(&mut center.0);
+                    radius.0 *= scale;
                 }
+                Shape::Quad { corner, u, v } => {
+                    [&mut corner.0, &mut u.0, &mut v.0]
+                        .into_iter()
+                        .for_each(point);
+                    if turns {
+                        std::mem::swap(u, v);
+                    }
+                }
+                _ => {}
             }
         }
     })
@@ -103,6 +104,13 @@ fn turned_and_mirrored_the_light_is_the_same() {
     assert!(apart(&first, &film(&narrow, 256, 2)).abs() > 4.4);
 }
 
+fn corner_and_edge(shape: &mut Shape) -> [&mut Triple; 2] {
+    match shape {
+        Shape::Quad { corner, u, .. } => [corner, u],
+        other => panic!("{other:?}"),
+    }
+}
+
 #[test]
 fn objects_doubled_and_lamps_cut_in_two() {
     let plain = |_: &mut Description| {};
@@ -120,12 +128,11 @@ fn objects_doubled_and_lamps_cut_in_two() {
     let halves = |said: &mut Description| {
         let lamp = said.objects.iter().position(|o| o.emits.is_some());
         let mut half = said.objects.remove(lamp.expect("a lamp"));
-        let quad = half.quad.as_mut().expect("a rectangle");
-        quad.u.0 = quad.u.0.map(|x| 0.5 * x);
+        let [_, u] = corner_and_edge(&mut half.shape);
+        u.0 = u.0.map(|x| 0.5 * x);
         let mut other = half.clone();
-        let quad = other.quad.as_mut().expect("a rectangle");
-        let step = quad.u.0;
-        (0..3).for_each(|i| quad.corner.0[i] += step[i]);
+        let [corner, u] = corner_and_edge(&mut other.shape);
+        (0..3).for_each(|i| corner.0[i] += u.0[i]);
         said.objects.extend([half, other]);
     };
     let whole = film(&room_with(SIZE, plain), 256, 4);
@@ -143,7 +150,7 @@ fn objects_doubled_and_lamps_cut_in_two() {
     let below = room_with(SIZE, |said| {
         let lamp = said.objects.iter().find(|o| o.emits.is_some()).cloned();
         let mut lamp = lamp.expect("a lamp");
-        lamp.quad.as_mut().expect("a rectangle").corner.0[1] -= 0.2;
+        corner_and_edge(&mut lamp.shape)[0].0[1] -= 0.2;
         said.objects.push(lamp);
     });
     assert!(apart(&whole, &film(&below, 256, 5)).abs() > 4.4);

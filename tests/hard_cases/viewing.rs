@@ -9,7 +9,8 @@ use halfdisk::integrators::{Integrator, Normals, Path, Whitted};
 use halfdisk::numeric::naive;
 use halfdisk::render::{Film, Options, render};
 use halfdisk::sampling::stream::Stream;
-use halfdisk::scene::description::Exactly;
+use halfdisk::scene::description::Shape;
+use halfdisk::scene::value::{NotNegative, Positive, Triple};
 use halfdisk::scene::{Scene, Tracer};
 use halfdisk::stats::Estimate;
 
@@ -79,14 +80,17 @@ fn a11_poles_and_cameras_without_an_upright() {
 #[test]
 fn a13_a_scene_far_from_the_origin_is_the_same_picture() {
     let far = DVec3::new(1e6, -7e5, 4e5);
-    let shift = |p: &mut Exactly<f64, 3>| p.0 = (DVec3::from(p.0) + far).to_array();
+    let shift = |p: &mut Triple| p.0 = (DVec3::from(p.0) + far).to_array();
     let here = room_with([48, 36], |_| {});
     let there = room_with([48, 36], |said| {
         shift(&mut said.camera.from);
         shift(&mut said.camera.to);
         for object in &mut said.objects {
-            object.quad.iter_mut().for_each(|q| shift(&mut q.corner));
-            object.sphere.iter_mut().for_each(|s| shift(&mut s.center));
+            match &mut object.shape {
+                Shape::Quad { corner, .. } => shift(corner),
+                Shape::Sphere { center, .. } => shift(center),
+                _ => {}
+            }
         }
     });
     let moved = relative_mse(&picture(&there, 1), &picture(&here, 1));
@@ -247,8 +251,8 @@ fn a17_no_matrix_is_mixed_with_another() {
 fn a18_a_lens_without_width_is_a_pinhole() {
     let lens = |radius: f64, focus: Option<f64>| {
         let scene = room_with([24, 18], |said| {
-            said.camera.lens_radius = radius;
-            said.camera.focus = focus;
+            said.camera.lens_radius = NotNegative(radius);
+            said.camera.focus = focus.map(Positive);
         });
         picture(&scene, 18)
     };

@@ -10,7 +10,8 @@ use halfdisk::integrators::walkable::{FlatWalk, Walkable};
 use halfdisk::integrators::{Combine, Kajiya, NextEvent, Path, Roulette, Survival};
 use halfdisk::sampling::mis::Heuristic;
 use halfdisk::sampling::stream::Stream;
-use halfdisk::scene::description::Color;
+use halfdisk::scene::description::Material;
+use halfdisk::scene::value::Albedo;
 use halfdisk::scene::{gallery, read::Source};
 use halfdisk::space::{self, Flat};
 use halfdisk::stats::Estimate;
@@ -142,8 +143,10 @@ fn inside_a_glowing_room_every_walk_reads_the_closed_form() {
     for (albedo, max_depth) in [(0.5, 30), (0.75, 60)] {
         let truth = 1.0 / (1.0 - albedo);
         let room = gallery::load_with("furnace", |said| {
-            for lambert in said.materials.values_mut().flat_map(|m| &mut m.lambert) {
-                lambert.albedo = Color([albedo; 3]);
+            for material in said.materials.values_mut() {
+                *material = Material::Lambert {
+                    albedo: Albedo([albedo; 3]),
+                };
             }
         })
         .unwrap();

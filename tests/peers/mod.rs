@@ -9,7 +9,8 @@ use halfdisk::integrators::{Integrator, Path};
 use halfdisk::output;
 use halfdisk::render::{Options, Picture, compare, render};
 use halfdisk::sampling::stream::Sampler;
-use halfdisk::scene::description::{Color, Description};
+use halfdisk::scene::description::{Description, Material};
+use halfdisk::scene::value::{Albedo, Emission};
 use halfdisk::scene::{Scene, gallery};
 use std::path::Path as FilePath;
 
@@ -90,11 +91,15 @@ fn a_scene_that_is_slightly_off_does_not_agree() {
     // Walls a little darker, and a lamp of one percent less.
     let darker = scene("cornell", |said| {
         let white = said.materials.get_mut("white").unwrap();
-        white.lambert.as_mut().unwrap().albedo = Color([0.72; 3]);
+        *white = Material::Lambert {
+            albedo: Albedo([0.72; 3]),
+        };
     });
     let dimmer = scene("cornell", |said| {
         for object in &mut said.objects {
-            object.emits = object.emits.map(|Color(c)| Color(c.map(|x| 0.99 * x)));
+            object.emits = object
+                .emits
+                .map(|light| Emission(light.0.map(|x| 0.99 * x)));
         }
     });
     for scene in [darker, dimmer] {

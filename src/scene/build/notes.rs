@@ -3,7 +3,6 @@
 use crate::geometry::Shape;
 use crate::materials::Material;
 use crate::scene::description::Description;
-use crate::scene::field::Field;
 use crate::scene::parts::Parts;
 use crate::scene::solids;
 use crate::scene::spacing::Misplaced;
@@ -11,8 +10,7 @@ use crate::scene::spacing::Misplaced;
 impl Parts<'_> {
     /// An image around the scene that is all black is none.
     pub(super) fn note_black_sky(&mut self, said: &Description, shines: bool) {
-        let image = said.environment.as_ref().and_then(|e| e.image.as_ref());
-        if let (Some(image), false) = (image, shines) {
+        if let (Some(image), false) = (said.image(), shines) {
             self.note(format!(
                 "{}: every pixel is black, so it gives no light",
                 image.display()
@@ -23,7 +21,7 @@ impl Parts<'_> {
     /// Of a closed surface the front is outside, if anything is in it or it shines.
     pub(super) fn note_inside_out(
         &mut self,
-        field: &Field,
+        number: usize,
         material: Option<&Material>,
         shines: bool,
         shapes: &[Shape],
@@ -36,7 +34,7 @@ impl Parts<'_> {
                 "it shines inwards"
             };
             self.note(format!(
-                "{field} is closed and its front faces inwards, so that {what}: turn its faces round"
+                "objects[{number}] is closed and its front faces inwards, so that {what}: turn its faces round"
             ));
         }
     }
@@ -52,11 +50,11 @@ impl Parts<'_> {
         }
         let pairs = solids::touching(&self.all, &self.objects, &self.spans);
         if let Some(&[a, b]) = pairs.first() {
-            let [a, b] = [a, b].map(|i| self.fields[i as usize].to_string());
+            let [a, b] = [a, b].map(|i| self.numbers[i as usize]);
             let who = if a == b {
-                format!("{a} has two faces")
+                format!("objects[{a}] has two faces")
             } else {
-                format!("{a} and {b} have faces")
+                format!("objects[{a}] and objects[{b}] have faces")
             };
             let more = match pairs.len() - 1 {
                 0 => String::new(),
