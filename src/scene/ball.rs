@@ -60,7 +60,7 @@ impl Ball {
         let way = self.center - p.as_dvec3();
         let distance2 = way.length_squared();
         let sin2 = self.radius * self.radius / distance2;
-        (sin2 < 1.0 && sin2 >= SMALLEST * SMALLEST).then(|| Sight {
+        (SMALLEST * SMALLEST..1.0).contains(&sin2).then(|| Sight {
             axis: (way / distance2.sqrt()).as_vec3(),
             size2: sin2 as f32,
             one_minus_cos: one_minus_cos(sin2 as f32),
