@@ -5,7 +5,7 @@
 
 #![allow(clippy::print_stdout)]
 
-use halfdisk::chart::flat;
+use halfdisk::figures::flat;
 use halfdisk::flatland::{frame, load};
 use halfdisk::sampling::half_disk;
 use halfdisk::sampling::stream::{Purpose, Stream};

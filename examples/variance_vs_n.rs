@@ -4,9 +4,9 @@
 
 #![allow(clippy::print_stdout)]
 
-use halfdisk::chart::convergence_chart;
 use halfdisk::experiment::convergence::{Convergence, Design, converge};
 use halfdisk::experiment::named;
+use halfdisk::figures::convergence_chart;
 use std::error::Error;
 
 const NAMES: [&str; 3] = ["half-disk", "half-disk-stratified", "half-disk-literal"];

@@ -23,18 +23,19 @@
 //! 1. [`numeric`]: care for floating point; [`color`]: a radiometric triple; [`notation`]: light
 //!    paths as words
 //! 2. [`sampling`]: random numbers and what they are bent into; [`stats`]: estimates with errors
-//! 3. [`geometry`]: rays, shapes, the hierarchy that finds the first hit; [`space`]: what a
+//! 3. [`chart`]: curves, bars, maps, trees and ray drawings, of anything
+//! 4. [`geometry`]: rays, shapes, the hierarchy that finds the first hit; [`space`]: what a
 //!    dimension is, so that one source serves both
-//! 4. [`materials`], [`lights`], [`camera`]
-//! 5. [`scene`]: from a file to something rays can meet; [`flatland`]: the same in the flat world
-//! 6. [`integrators`]: the stages of the algorithm, side by side
-//! 7. [`render`]: the pixel loop and the film; [`output`]: pictures as files
-//! 8. [`effects`]: what a scene calls for, its light paths, and what leaving one out saves
-//! 9. [`estimators`]: smaller questions than a picture
-//! 10. [`experiment`]: repeated runs that end in data
-//! 11. [`chart`]: curves, trees and ray drawings; [`ledger`]: what a run cost and gained;
+//! 5. [`materials`], [`lights`], [`camera`]
+//! 6. [`scene`]: from a file to something rays can meet; [`flatland`]: the same in the flat world
+//! 7. [`integrators`]: the stages of the algorithm, side by side
+//! 8. [`render`]: the pixel loop and the film; [`output`]: pictures as files
+//! 9. [`effects`]: what a scene calls for, its light paths, and what leaving one out saves
+//! 10. [`estimators`]: smaller questions than a picture
+//! 11. [`experiment`]: repeated runs that end in data
+//! 12. [`figures`]: from what was measured to charts; [`ledger`]: what a run cost and gained;
 //!     [`desk`]: what every chapter shares
-//! 12. [`cli`]: the command
+//! 13. [`cli`]: the command
 //!
 //! ## Vocabulary
 //!
@@ -69,6 +70,7 @@ pub mod desk;
 pub mod effects;
 pub mod estimators;
 pub mod experiment;
+pub mod figures;
 pub mod flatland;
 pub mod geometry;
 pub mod integrators;

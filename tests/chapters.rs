@@ -1,9 +1,10 @@
-//! Snapshots of each chapter's quick run: its data, its pictures as numbers to read, its pictures
-//! and charts as files.
+//! Snapshots of each chapter's quick run: its data, its pictures as numbers to read and as files, what
+//! its charts say, and one drawing of each kind as a file.
 //!
 //! To review a change: run `cargo insta review` (or look at the `.snap.new` files), and open both
 //! pictures of a changed one.
 
+mod charts;
 mod prices;
 mod walks;
 mod words;
@@ -81,19 +82,37 @@ fn check(program: &str, id: &str) -> Value {
     let (folder, data) = run(program, id);
     let folder = folder.path().join(id);
     insta::assert_json_snapshot!(format!("{id}-data"), data);
+    let mut said = String::new();
     for figure in data["figures"].as_array().unwrap() {
         let file = figure["file"].as_str().unwrap();
         let path = folder.join(file);
-        if is_timed(file) {
-            assert!(path.exists(), "{file}");
-            continue;
-        }
         let (stem, ending) = file.split_once('.').unwrap();
         let name = format!("{id}-{stem}");
-        if ending == "png" {
-            insta::assert_snapshot!(format!("{name}-grid"), grid(&path));
+        match ending {
+            "svg" => {
+                let svg = fs::read_to_string(&path).unwrap();
+                let words = charts::words(&format!("{id}/{file}"), &svg);
+                if is_timed(file) {
+                    assert!(!words.is_empty(), "{file}");
+                    continue;
+                }
+                said += &format!("{file}: {}\n", words.join(" | "));
+                if charts::ONE_OF_EACH_KIND.contains(&name.as_str()) {
+                    insta::assert_binary_snapshot!(&format!("{name}.svg"), svg.into_bytes());
+                }
+            }
+            _ if is_timed(file) => assert!(path.exists(), "{file}"),
+            _ => {
+                insta::assert_snapshot!(format!("{name}-grid"), grid(&path));
+                insta::assert_binary_snapshot!(
+                    &format!("{name}.{ending}"),
+                    fs::read(&path).unwrap()
+                );
+            }
         }
-        insta::assert_binary_snapshot!(&format!("{name}.{ending}"), fs::read(&path).unwrap());
+    }
+    if !said.is_empty() {
+        insta::assert_snapshot!(format!("{id}-charts"), said);
     }
     data
 }

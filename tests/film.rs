@@ -4,12 +4,12 @@ use halfdisk::color::{Rgb, srgb_decode};
 use halfdisk::geometry::Ray;
 use halfdisk::integrators::{Albedo, Depth, Integrator, Normals, Whitted};
 use halfdisk::output::{self, Display, Provenance};
-use halfdisk::render::accuracy::quantile;
 use halfdisk::render::{BadSample, Film, Options, Picture, Pixel, compare, render};
 use halfdisk::sampling::stream::{Purpose, Sampler, Stream};
 use halfdisk::scene::gallery::{self, GALLERY, load};
 use halfdisk::scene::read::Source;
 use halfdisk::scene::{Scene, Tracer};
+use halfdisk::stats::quantile;
 use std::collections::BTreeMap;
 use std::path::Path;
 

@@ -8,6 +8,7 @@ use std::path::{Path, PathBuf};
 const FLOORS: &[&[&str]] = &[
     &["numeric", "color", "notation"],
     &["sampling", "stats"],
+    &["chart"],
     &["geometry", "space"],
     &["materials", "lights", "camera"],
     &["scene", "flatland"],
@@ -16,7 +17,7 @@ const FLOORS: &[&[&str]] = &[
     &["effects"],
     &["estimators"],
     &["experiment"],
-    &["chart", "ledger", "desk"],
+    &["figures", "ledger", "desk"],
     &["cli"],
 ];
 

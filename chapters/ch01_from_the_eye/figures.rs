@@ -2,7 +2,8 @@
 //! chart.
 
 use halfdisk::chart::{
-    Axis, Bounds, ChartError, Curve, CurveChart, Dot, Label, RayDrawing, Stroke, StrokeKind, Style,
+    Axis, Bounds, ChartError, Curve, CurveChart, Dot, HALF, Label, RayDrawing, Stroke, StrokeKind,
+    Style,
 };
 use halfdisk::desk::{Desk, DeskError};
 use halfdisk::estimators::two_ways::Traced;
@@ -90,7 +91,7 @@ fn from_light(seed: u64) -> Result<String, ChartError> {
                 .map(|(a, b)| Stroke::new(kind, wide(a), wide(b))),
         );
     }
-    drawing("From the light", strokes).to_svg()
+    drawing("From the light", strokes).to_svg_at(HALF)
 }
 
 /// Rays from the eye through the slit to the wall, and on to the lamp.
@@ -102,7 +103,7 @@ fn from_eye() -> Result<String, ChartError> {
         strokes.push(Stroke::arrow(StrokeKind::Camera, wide(eye), wide(at_wall)));
         strokes.push(Stroke::new(StrokeKind::Shadow, wide(at_wall), wide(LAMP)));
     }
-    drawing("From the eye", strokes).to_svg()
+    drawing("From the eye", strokes).to_svg_at(HALF)
 }
 
 /// Follows a ray to the wall, into the slit, or out of the view; true where it met the wall.

@@ -3,12 +3,12 @@
 use super::checks::checked;
 use halfdisk::chart::{
     Arc, Axis, Bounds, ChartError, Curve, CurveChart, RayDrawing, Stroke, StrokeKind, Style,
-    convergence_chart,
 };
 use halfdisk::desk::{Desk, DeskError};
 use halfdisk::estimators::{hit_or_miss, many_dimensions};
 use halfdisk::experiment::convergence::{Convergence, Design, converge};
 use halfdisk::experiment::named;
+use halfdisk::figures::convergence_chart;
 use halfdisk::sampling::stream::{Purpose, Stream};
 use halfdisk::stats::z_test::Largest;
 use std::f64::consts::{FRAC_PI_2, PI};
@@ -63,7 +63,7 @@ fn board(seed: u64) -> Result<(String, u32), ChartError> {
         }],
         ..RayDrawing::default()
     };
-    Ok((drawing.to_svg()?, hits))
+    Ok((drawing.to_svg_at(432)?, hits))
 }
 
 /// One run that goes on and on, with its band.

@@ -1,11 +1,11 @@
 //! The figures of this chapter: half disks with their rays, and the two estimators' errors.
 
 use glam::{DVec2, Vec2};
-use halfdisk::chart::convergence_chart;
-use halfdisk::chart::flat::{self, Turn};
 use halfdisk::desk::{Desk, DeskError, Number};
 use halfdisk::estimators::mistakes::{self, Exam};
 use halfdisk::experiment::convergence::Convergence;
+use halfdisk::figures::convergence_chart;
+use halfdisk::figures::flat::{self, Turn};
 use halfdisk::flatland::{frame, load};
 use halfdisk::sampling::half_disk;
 use halfdisk::sampling::stream::{Purpose, Stream};

@@ -2,12 +2,13 @@
 
 use crate::angles::{CELLS, Drawn};
 use halfdisk::chart::{
-    Arc, Axis, Bounds, ChartError, Circle, Curve, CurveChart, Dot, Label, RayDrawing, Stroke,
-    StrokeKind, Style, convergence_chart,
+    Arc, Axis, Bounds, ChartError, Circle, Curve, CurveChart, Dot, HALF, Label, RayDrawing, Stroke,
+    StrokeKind, Style,
 };
 use halfdisk::desk::{Desk, DeskError};
 use halfdisk::estimators::directions::Recipe;
 use halfdisk::experiment::convergence::Convergence;
+use halfdisk::figures::convergence_chart;
 use halfdisk::sampling::stream::{Purpose, Stream};
 use halfdisk::space::{Flat, Solid};
 use std::f64::consts::PI;
@@ -17,22 +18,22 @@ pub fn angles(desk: &mut Desk, flat: &[Drawn], solid: &[Drawn]) -> Result<(), De
     let caption = "Angles from the normal in the flat world: drawn (dots), and their densities \
                    (lines).";
     let chart = histogram("The half disk", flat);
-    desk.figure("angles_flat.svg", caption, chart.to_svg()?)?;
+    desk.figure("angles_flat.svg", caption, chart.to_svg_at(HALF)?)?;
     let caption = "The same on the hemisphere, where few directions lie around the normal. A \
                    uniform polar angle is none of them.";
     let chart = histogram("The hemisphere", solid);
-    desk.figure("angles_solid.svg", caption, chart.to_svg()?)
+    desk.figure("angles_solid.svg", caption, chart.to_svg_at(HALF)?)
 }
 
 /// Both charts of errors.
 pub fn slopes(desk: &mut Desk, lamp: &[Convergence], sky: &[Convergence]) -> Result<(), DeskError> {
     let caption = "A strip of light in space: the cosine lowers the line, strata tilt it.";
     let chart = convergence_chart("Under a strip of light", lamp);
-    desk.figure("chart.svg", caption, chart.to_svg()?)?;
+    desk.figure("chart.svg", caption, chart.to_svg_at(HALF)?)?;
     let caption = "A white sky, uniform directions: without an edge, strata tilt it further, in \
                    one dimension most.";
     let chart = convergence_chart("Under a white sky", sky);
-    desk.figure("smooth.svg", caption, chart.to_svg()?)
+    desk.figure("smooth.svg", caption, chart.to_svg_at(HALF)?)
 }
 
 /// Directions of three recipes, in both worlds.

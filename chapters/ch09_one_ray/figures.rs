@@ -3,11 +3,11 @@
 use crate::compare::{three, without_lamp};
 use crate::picture;
 use glam::Vec2;
-use halfdisk::chart::walk::Watched;
-use halfdisk::chart::{Dot, RayDrawing, Stroke, StrokeKind, flat};
+use halfdisk::chart::{Dot, HALF, RayDrawing, Stroke, StrokeKind};
 use halfdisk::desk::{Desk, DeskError, Number};
 use halfdisk::estimators::directions::Recipe;
 use halfdisk::estimators::gather::Gather;
+use halfdisk::figures::{flat, walk::Watched};
 use halfdisk::flatland;
 use halfdisk::integrators::{Kajiya, NextEvent};
 use halfdisk::render::{Film, Pixel};
@@ -52,7 +52,7 @@ pub fn tree_and_path(desk: &mut Desk) -> Result<(), DeskError> {
     }
     drawing.title = format!("The tree: {} rays", watched.rays.len());
     let caption = "Sixteen directions at the first surface, sixteen more wherever they lead.";
-    desk.figure("tree.svg", caption, drawing.to_svg()?)?;
+    desk.figure("tree.svg", caption, drawing.to_svg_at(HALF)?)?;
 
     // By way of a wall to the lamp, where there is such a branch.
     let ends_at = |number: usize| watched.rays.get(number).map_or(0.0, |[_, to]| to.y);
@@ -83,7 +83,7 @@ pub fn tree_and_path(desk: &mut Desk) -> Result<(), DeskError> {
     drawing.title = format!("The path: {} rays of it", strokes.len());
     drawing.strokes.extend(strokes);
     let caption = "One of the sixteen, one of its sixteen: what is left of the tree is a path.";
-    desk.figure("path.svg", caption, drawing.to_svg()?)
+    desk.figure("path.svg", caption, drawing.to_svg_at(HALF)?)
 }
 
 /// The box by forty paths for each pixel, and the noise of one.

@@ -1,10 +1,10 @@
 //! The figures of this chapter: the sweep over lamps, a walk with its shadow rays, and boxes.
 
 use glam::Vec2;
-use halfdisk::chart::walk::Watched;
 use halfdisk::chart::{Axis, Curve, CurveChart, Style};
 use halfdisk::desk::{Desk, DeskError, Number};
 use halfdisk::estimators::shrinking_lamp::{self, Technique};
+use halfdisk::figures::walk::Watched;
 use halfdisk::flatland;
 use halfdisk::integrators::{Integrator, Kajiya, NextEvent};
 use halfdisk::render::{Film, Options, Rendered, render};

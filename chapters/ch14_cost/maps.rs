@@ -1,12 +1,14 @@
 //! Where a picture needs samples: maps of the box, and four scenes.
 
 use crate::prices::digits;
-use halfdisk::chart::{Axis, Curve, HeatMap, Style, required_chart};
+use halfdisk::chart::{Axis, Curve, HALF, HeatMap, Style};
 use halfdisk::desk::{Desk, DeskError};
+use halfdisk::figures::required_chart;
 use halfdisk::integrators::Path;
-use halfdisk::render::accuracy::{Accuracy, quantile};
+use halfdisk::render::accuracy::Accuracy;
 use halfdisk::render::{Options, Rendered, render};
 use halfdisk::scene::gallery;
+use halfdisk::stats::quantile;
 
 /// The relative error that pixels should have.
 const TARGET: f64 = 0.02;
@@ -44,7 +46,7 @@ pub fn box_of_noise(desk: &mut Desk) -> Result<u64, DeskError> {
     let variance = map("The variance of one path", "variance", accuracy.variances());
     let caption = "How much one path of each pixel scatters: by far the most at the edge of the lamp, \
                    then on the walls around it, which it lights from near.";
-    desk.figure("variance.svg", caption, variance.to_svg()?)?;
+    desk.figure("variance.svg", caption, variance.to_svg_at(HALF)?)?;
     let required = map(
         "Paths for an error of 2 %",
         "paths",
@@ -52,7 +54,7 @@ pub fn box_of_noise(desk: &mut Desk) -> Result<u64, DeskError> {
     );
     let caption = "The paths that each pixel needs for an error of 2 %: its variance over the square \
                    of what is wanted.";
-    desk.figure("required.svg", caption, required.to_svg()?)?;
+    desk.figure("required.svg", caption, required.to_svg_at(HALF)?)?;
     Ok(found.rays.total())
 }
 

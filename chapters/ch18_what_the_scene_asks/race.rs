@@ -2,7 +2,7 @@
 
 use crate::savings::two_digits;
 use crate::{FINAL, load};
-use halfdisk::chart::{Axis, Curve, CurveChart, Style};
+use halfdisk::chart::{Axis, Curve, CurveChart, HALF, Style};
 use halfdisk::desk::{Desk, DeskError, Number};
 use halfdisk::experiment::cost::Reference;
 use halfdisk::integrators::{self, Kajiya, LADDER, Path, Whitted};
@@ -125,10 +125,10 @@ fn chart(desk: &mut Desk, entries: &[[Entry; SIZES.len()]], sizes: usize) -> Res
     };
     let by_rays = chart("rays for each pixel", curves(|entry| entry.rays.mean()));
     let caption = "Error against rays. Whitted's tree comes to rest at what it leaves out.";
-    desk.figure("chart.svg", caption, by_rays.to_svg()?)?;
+    desk.figure("chart.svg", caption, by_rays.to_svg_at(HALF)?)?;
     let by_time = chart("seconds", curves(|entry| entry.seconds.mean()));
     let caption = "Error against seconds, on the machine that ran this.";
-    desk.figure("seconds.svg", caption, by_time.to_svg()?)
+    desk.figure("seconds.svg", caption, by_time.to_svg_at(HALF)?)
 }
 
 /// The root of a mean square and its standard error; none where noise of the truth makes the square

@@ -1,51 +1,44 @@
-//! The drawing room: numbers and rays become SVG text.
+//! The drawing room: numbers and rays become SVG text, and charts PNG files as well.
 //!
-//! Five drawings live here, and all of them work alike: fill in a plain struct,
-//! call `to_svg`, get the text of a picture. Nothing touches a file, and the same struct always
-//! gives the same bytes.
+//! Five kinds of figure live here, and all of them work alike: fill in a plain struct, call `to_svg`, get
+//! the text of a picture. Nothing touches a file, and the same struct always gives the same bytes.
 //!
 //! * [`CurveChart`] — measurements with error bars against closed forms, on linear or log axes;
 //! * [`BarChart`] — a few labelled values side by side;
+//! * [`HeatMap`] — a value for each pixel of a picture, as a colour;
 //! * [`RayDrawing`] — walls, lamps and rays of the flat world, true to scale;
-//! * [`TreeDrawing`] — the tree of reflected and transmitted rays below one camera ray;
-//! * [`HeatMap`] — a value for each pixel of a picture, as a colour.
+//! * [`TreeDrawing`] — the tree of reflected and transmitted rays below one camera ray.
 //!
-//! [`walk`] draws the rays of a walk. [`flat`] fills in a [`RayDrawing`] from a flat world and the half disk over one of its points.
-//! Behind them: `canvas` (page, pens, letters), `area` (boxes, and where they hide least), `legend`
-//! (what the colours mean), `axis` and `ticks` (from values to places and words), and `plane` (the
-//! grid of a chart).
+//! The first three have axes: [`plotters`] draws them, with its own coordinates, mesh, labels and legend
+//! (`plot`). The others have none: a small writer of SVG draws them (`svg`). Figures are drawn at the
+//! width at which they are shown ([`FULL`], or [`HALF`] beside another), with letters of at least 11
+//! pixels, on paper of their own, which is dark where the page is.
 
-mod area;
-mod axis;
 mod bars;
-mod canvas;
-mod convergence;
-mod cost;
 mod curves;
-pub mod flat;
+mod font;
 mod heat;
-mod legend;
-mod plane;
+mod palette;
+mod plot;
 mod rays;
-mod requirement;
+mod scale;
+mod svg;
 mod ticks;
 mod tree;
-pub mod walk;
 
-pub use axis::Axis;
 pub use bars::{Bar, BarChart, BarGroup};
-pub use convergence::convergence_chart;
-pub use cost::{Against, cost_chart};
 pub use curves::{Curve, CurveChart, Point, Style};
 pub use heat::HeatMap;
 pub use rays::{Arc, Bounds, Circle, Dot, Label, RayDrawing, Stroke, StrokeKind};
-pub use requirement::required_chart;
+pub use scale::Axis;
 pub use tree::{EdgeKind, TreeDrawing, TreeNode};
 
-/// Width and height of a drawing in pixels, where its content does not ask for more.
-pub const SIZE: (u32, u32) = (860, 540);
+/// Width in pixels of a figure that has a page's column for itself.
+pub const FULL: u32 = 720;
+/// Width in pixels of one of two figures side by side.
+pub const HALF: u32 = 348;
 
-/// Why a drawing could not be made.
+/// Why a figure could not be drawn.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 pub enum ChartError {
     /// There is no point, bar, stroke or node to show.
@@ -82,4 +75,42 @@ pub enum ChartError {
     /// The drawing library gave up.
     #[error("drawing failed: {0}")]
     Drawing(String),
+}
+
+/// No larger number is drawn: sums and differences of two have to stay finite.
+const LARGEST: f64 = 1e300;
+
+/// Refuses the first entry of a series of which a number is infinite, none, or too large to draw.
+fn finite(
+    chart: &str,
+    series: &str,
+    entries: impl IntoIterator<Item = impl AsRef<[f64]>>,
+) -> Result<(), ChartError> {
+    let drawn = |x: &f64| x.abs() <= LARGEST;
+    let mut entries = entries.into_iter();
+    match entries.position(|numbers| !numbers.as_ref().iter().all(drawn)) {
+        None => Ok(()),
+        Some(index) => Err(ChartError::NonFinite {
+            chart: chart.to_owned(),
+            series: series.to_owned(),
+            index,
+        }),
+    }
+}
+
+/// Refuses the first value of a series that has no place on an axis.
+fn placed(
+    chart: &str,
+    series: &str,
+    values: impl IntoIterator<Item = f64>,
+    axis: Axis,
+) -> Result<(), ChartError> {
+    match values.into_iter().position(|value| !axis.admits(value)) {
+        None => Ok(()),
+        Some(index) => Err(ChartError::NonPositive {
+            chart: chart.to_owned(),
+            series: series.to_owned(),
+            index,
+        }),
+    }
 }

@@ -1,9 +1,9 @@
 //! Ticks: round values along an axis, and numbers as words.
 
 use libm::{exp10, floor, log10};
-
-/// How far a position may be from where it should.
-const ROUNDING: f64 = 1e-12;
+use plotters::coord::ranged1d::{BoldPoints, Ranged};
+use plotters::coord::types::RangedCoordf64;
+use std::ops::Range;
 
 /// A labelled value.
 #[derive(Clone, Debug)]
@@ -12,91 +12,85 @@ pub(super) struct Tick {
     pub(super) label: String,
 }
 
-/// Round values (steps of 1, 2 or 5 times a power of ten), about half a dozen of them.
-pub(super) fn linear_ticks(low: f64, high: f64) -> Vec<Tick> {
-    let rough = (high - low) / 6.0;
-    let power = floor(log10(rough));
-    let (lead, power) = match rough / exp10(power) {
-        lead if lead < 1.5 => (1.0, power),
-        lead if lead < 3.5 => (2.0, power),
-        lead if lead < 7.5 => (5.0, power),
-        _ => (1.0, power + 1.0),
+/// At most so many round values, where the drawing library puts them.
+pub(super) fn linear(range: &Range<f64>, most: usize) -> Vec<Tick> {
+    let values = RangedCoordf64::from(range.clone()).key_points(BoldPoints(most.max(2)));
+    let values: Vec<f64> = values.into_iter().filter(|x| range.contains(x)).collect();
+    let largest = values.iter().fold(0.0_f64, |most, x| most.max(x.abs()));
+    let power = floor(log10(largest.max(f64::MIN_POSITIVE)));
+    // Very large and very small numbers carry their power of ten.
+    let power = if (-4.0..5.0).contains(&power) {
+        0.0
+    } else {
+        power
     };
-    let step = lead * exp10(power);
-    let first = (low / step).ceil() as i64;
-    let last = (high / step).floor() as i64;
-    let largest = low.abs().max(high.abs());
-    (first..=last)
-        .map(|n| n as f64 * step)
-        .map(|value| Tick {
+    let unit = exp10(power);
+    let is_whole = |x: f64| (x - x.round()).abs() < 1e-6;
+    let exact = |digits: &i32| {
+        values
+            .iter()
+            .all(|x| is_whole(x / unit * exp10(f64::from(*digits))))
+    };
+    let digits = (0..9).find(exact).unwrap_or(9) as usize;
+    let label = |value: f64| match power {
+        _ if value == 0.0 => "0".to_owned(),
+        0.0 => format!("{value:.digits$}"),
+        _ => format!("{:.digits$}×10{}", value / unit, superscript(power as i32)),
+    };
+    values
+        .iter()
+        .map(|&value| Tick {
             value,
-            label: round_number(value, largest, power as i32),
+            label: label(value),
         })
         .collect()
 }
 
-/// Ticks and faint lines between two positions: powers of ten where they suffice; on a shorter
-/// range their 1, 2, 5; on a still shorter one, round values as on a linear axis.
-pub(super) fn log_ticks(low: f64, high: f64) -> (Vec<Tick>, Vec<f64>) {
-    // The logarithm of a power of ten may be off by a rounding.
-    let (first, last) = ((low - ROUNDING).ceil(), (high + ROUNDING).floor());
-    let powers: Vec<i32> = (first as i32..=last as i32).collect();
-    let minor = match powers.len() {
-        0..=7 => multiples(low, high, &[2.0, 3.0, 4.0, 5.0, 6.0, 7.0, 8.0, 9.0]),
+/// Ticks of a logarithmic axis, about so many at most, and the values of faint lines between them: powers
+/// of ten where there are three; on a shorter range their 1, 2, 5; on a still shorter one, round values
+/// as on a linear axis.
+pub(super) fn logarithmic(range: &Range<f64>, most: usize) -> (Vec<Tick>, Vec<f64>) {
+    // The ends of a range may be off by a rounding.
+    let held = range.start * (1.0 - 1e-12)..=range.end * (1.0 + 1e-12);
+    let powers = floor(log10(*held.start())) as i32..=floor(log10(*held.end())) as i32;
+    let multiples = |factors: &[f64]| -> Vec<f64> {
+        let all = powers
+            .clone()
+            .flat_map(|p| factors.iter().map(move |f| f * exp10(f64::from(p))));
+        all.filter(|x| held.contains(x)).collect()
+    };
+    let faint = match powers.clone().count() {
+        0..=8 => multiples(&[2.0, 3.0, 4.0, 5.0, 6.0, 7.0, 8.0, 9.0]),
         _ => Vec::new(),
     };
-    if powers.len() >= 3 {
-        return (power_ticks(&powers), minor);
-    }
-    let fives = multiples(low, high, &[1.0, 2.0, 5.0]);
-    if fives.len() >= 3 {
-        let tick = |value| Tick {
-            value,
-            label: number(value),
-        };
-        return (fives.into_iter().map(tick).collect(), minor);
-    }
-    (linear_ticks(exp10(low), exp10(high)), Vec::new())
-}
-
-/// The factors times every power of ten, as far as they lie between two positions.
-fn multiples(low: f64, high: f64, factors: &[f64]) -> Vec<f64> {
-    (low.floor() as i32..=high.floor() as i32)
-        .flat_map(|power| factors.iter().map(move |f| f * exp10(f64::from(power))))
-        .filter(|&value| (low..=high).contains(&log10(value)))
-        .collect()
-}
-
-/// At most nine powers of ten, written out as long as all of them are short.
-fn power_ticks(powers: &[i32]) -> Vec<Tick> {
-    let plain = powers.iter().all(|power| (-3..=4).contains(power));
-    let tick = |&power: &i32| {
-        let value = exp10(f64::from(power));
-        let label = if plain {
-            number(value)
-        } else {
-            format!("10{}", superscript(power))
-        };
-        Tick { value, label }
+    let (ones, fives) = (multiples(&[1.0]), multiples(&[1.0, 2.0, 5.0]));
+    let power = |x: f64| log10(x).round() as i32;
+    let plain = ones.iter().all(|&x| (-3..=4).contains(&power(x)));
+    let values = match (ones.len(), fives.len()) {
+        (count @ 3.., _) => {
+            let every = count.div_ceil(most.max(2)) as i32;
+            let shown = |&x: &f64| power(x) % every == 0;
+            let ones: Vec<f64> = ones.into_iter().filter(shown).collect();
+            if !plain {
+                let label = |x| format!("10{}", superscript(power(x)));
+                let ticks = ones.into_iter().map(|value| Tick {
+                    value,
+                    label: label(value),
+                });
+                return (ticks.collect(), faint);
+            }
+            ones
+        }
+        (_, 0..=2) => return (linear(range, most), Vec::new()),
+        // Side by side they would touch.
+        (2, many) if many > 2 * most => ones,
+        _ => fives,
     };
-    let every = powers.len().div_ceil(9) as i32;
-    let round = powers.iter().filter(|&power| power % every == 0);
-    round.map(tick).collect()
-}
-
-/// A multiple of 10^`power`, in the notation that suits a list whose largest entry is given.
-fn round_number(value: f64, largest: f64, power: i32) -> String {
-    let places = |digits: i32| digits.max(0) as usize;
-    if value == 0.0 {
-        "0".to_owned()
-    } else if largest < 1e5 && power >= -4 {
-        format!("{value:.*}", places(-power))
-    } else {
-        let lead = floor(log10(largest)) as i32;
-        let mantissa = value / exp10(f64::from(lead));
-        let digits = places(lead - power);
-        format!("{mantissa:.digits$}×10{}", superscript(lead))
-    }
+    let tick = |value| Tick {
+        value,
+        label: number(value),
+    };
+    (values.into_iter().map(tick).collect(), faint)
 }
 
 /// Three significant digits, without trailing zeros.
@@ -105,35 +99,26 @@ pub(super) fn number(value: f64) -> String {
         return "0".to_owned();
     }
     let power = floor(log10(value.abs()) + 1e-9) as i32;
-    let (value, suffix) = if (-4..=5).contains(&power) {
-        (value, String::new())
-    } else {
-        let suffix = format!("×10{}", superscript(power));
-        (value / exp10(f64::from(power)), suffix)
+    let (value, power, suffix) = match power {
+        -4..=5 => (value, power, String::new()),
+        _ => (
+            value / exp10(f64::from(power)),
+            0,
+            format!("×10{}", superscript(power)),
+        ),
     };
-    let shown_power = if suffix.is_empty() { power } else { 0 };
-    let digits = format!("{value:.*}", (2 - shown_power).max(0) as usize);
-    let digits = if digits.contains('.') {
-        digits.trim_end_matches('0').trim_end_matches('.')
-    } else {
-        &digits
+    let digits = format!("{value:.*}", (2 - power).max(0) as usize);
+    let digits = match digits.contains('.') {
+        true => digits.trim_end_matches('0').trim_end_matches('.'),
+        false => &digits,
     };
     format!("{digits}{suffix}")
 }
 
 fn superscript(power: i32) -> String {
-    let raised = |c| match c {
-        '-' => '⁻',
-        '1' => '¹',
-        '2' => '²',
-        '3' => '³',
-        '4' => '⁴',
-        '5' => '⁵',
-        '6' => '⁶',
-        '7' => '⁷',
-        '8' => '⁸',
-        '9' => '⁹',
-        _ => '⁰',
+    let raised = |c: char| match c.to_digit(10) {
+        Some(digit) => "⁰¹²³⁴⁵⁶⁷⁸⁹".chars().nth(digit as usize).unwrap_or(c),
+        None => '⁻',
     };
     power.to_string().chars().map(raised).collect()
 }
@@ -149,5 +134,38 @@ mod tests {
         assert_eq!(number(100.0), "100");
         assert_eq!(number(2.5e-7), "2.5×10⁻⁷");
         assert_eq!(number(-0.5), "-0.5");
+        assert_eq!(superscript(-1_234_567_890), "⁻¹²³⁴⁵⁶⁷⁸⁹⁰");
+    }
+
+    fn labels(ticks: &[Tick]) -> Vec<&str> {
+        ticks.iter().map(|tick| tick.label.as_str()).collect()
+    }
+
+    #[test]
+    fn linear_ticks_are_round_and_tell_apart() {
+        assert_eq!(
+            labels(&linear(&(-0.05..1.05), 7)),
+            ["0", "0.2", "0.4", "0.6", "0.8", "1.0"]
+        );
+        assert_eq!(
+            labels(&linear(&(-1e5..3.1e6), 5)),
+            ["0", "1×10⁶", "2×10⁶", "3×10⁶"]
+        );
+        assert_eq!(labels(&linear(&(1.0009..1.0051), 3)), ["1.002", "1.004"]);
+    }
+
+    #[test]
+    fn log_ticks_follow_the_range() {
+        let of = |low: f64, high: f64| logarithmic(&(low..high), 9).0;
+        assert_eq!(labels(&of(1.0, 1000.0)), ["1", "10", "100", "1000"]);
+        assert_eq!(labels(&of(1e-6, 1e-3))[0], "10⁻⁶");
+        assert_eq!(labels(&of(0.9, 22.0)), ["1", "2", "5", "10", "20"]);
+        assert_eq!(
+            labels(&logarithmic(&(9.0..4500.0), 3).0),
+            ["10", "100", "1000"]
+        );
+        assert_eq!(labels(&logarithmic(&(11.0..4500.0), 3).0), ["100", "1000"]);
+        assert_eq!(labels(&of(2.2, 4.4)), ["2.5", "3.0", "3.5", "4.0"]);
+        assert!(of(1e-300, 1e300).len() <= 9, "a wide axis keeps few ticks");
     }
 }

@@ -1,10 +1,11 @@
 //! `halfdisk converge`.
 
 use super::{Stop, answer, check_folder, save, use_threads};
-use crate::chart::{ChartError, convergence_chart};
+use crate::chart::ChartError;
 use crate::desk::{Bar, on_ctrl_c, tell, whole};
 use crate::experiment::convergence::{Convergence, Design, Estimator, converge_watched};
 use crate::experiment::named;
+use crate::figures::convergence_chart;
 use crate::numeric::count;
 use clap::Args;
 use serde_json::{Value, json};
@@ -40,7 +41,7 @@ pub struct Converge {
     /// Threads to run on; changes no result [default: one for each core]
     #[arg(long, allow_negative_numbers = true, value_parser = whole(1_u16..=1024))]
     threads: Option<u16>,
-    /// Folder for the chart (.svg) and the numbers (.csv, .json)
+    /// Folder for the chart (.svg, .png) and the numbers (.csv, .json)
     #[arg(long, value_name = "DIR", default_value = "out/converge")]
     out: PathBuf,
     /// Print JSON in place of the table
@@ -100,7 +101,7 @@ impl Converge {
             let stem = self.write(&runs, &json);
             answer(&if self.json { json } else { table(&runs) })?;
             tell(format_args!(
-                "wrote {}.svg, .csv and .json",
+                "wrote {}.svg, .png, .csv and .json",
                 stem?.display()
             ));
         }
@@ -126,17 +127,20 @@ impl Converge {
             _ => format!("Error against samples, {runs_each} each"),
         };
         let chart = convergence_chart(title, runs);
-        let mut files = vec![("csv", csv(runs)), ("json", json.to_owned())];
-        match chart.to_svg() {
-            Ok(svg) => files.push(("svg", svg)),
+        let mut files = vec![
+            ("csv", csv(runs).into_bytes()),
+            ("json", json.as_bytes().to_vec()),
+        ];
+        match chart.to_svg().and_then(|svg| Ok((svg, chart.to_png()?))) {
+            Ok((svg, png)) => files.extend([("svg", svg.into_bytes()), ("png", png)]),
             // Estimators without any error have numbers, but no place on logarithmic axes.
             Err(ChartError::Empty(_)) => tell("note: no error anywhere, so there is no chart"),
             Err(error) => return Err(Stop::Failure(error.to_string())),
         }
-        for (ending, text) in files {
+        for (ending, bytes) in files {
             // The stem may have dots of its own: `with_extension` would eat them.
             let file = PathBuf::from(format!("{}.{ending}", path.display()));
-            save(&file, text)?;
+            save(&file, bytes)?;
         }
         Ok(path)
     }

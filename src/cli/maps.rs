@@ -1,7 +1,8 @@
 //! `halfdisk render --maps`: where in a picture samples are needed.
 
 use super::{Stop, save};
-use crate::chart::{Axis, ChartError, HeatMap, required_chart};
+use crate::chart::{Axis, ChartError, HeatMap};
+use crate::figures::required_chart;
 use crate::render::Film;
 use crate::render::accuracy::{Accuracy, Measure};
 use crate::render::target::{Goal, percent};
@@ -13,13 +14,26 @@ const ERROR: f64 = 0.02;
 
 #[derive(Debug, Args)]
 pub(super) struct Maps {
-    /// Draw, beside the picture, each pixel's variance (FILE.variance.svg), the samples it needs for the
-    /// target error or else for 2 % (FILE.required.svg), and their histogram (FILE.histogram.svg)
+    /// Draw, beside the picture, each pixel's variance (FILE.variance.svg and .png), the samples it needs
+    /// for the target error or else for 2 % (FILE.required), and their histogram (FILE.histogram)
     #[arg(long)]
     maps: bool,
 }
 
+/// What is drawn, by the middle of its files' names.
+const KINDS: [&str; 3] = ["variance", "required", "histogram"];
+
+fn beside(picture: &Path, kind: &str, ending: &str) -> PathBuf {
+    picture.with_extension(format!("{kind}.{ending}"))
+}
+
 impl Maps {
+    /// The files in the format of pictures, which a scene might need.
+    pub(super) fn pictures(&self, picture: &Path) -> Vec<PathBuf> {
+        let kinds = KINDS.iter().filter(|_| self.maps);
+        kinds.map(|kind| beside(picture, kind, "png")).collect()
+    }
+
     /// Writes the maps where they are wanted; returns their names, and why others are missing.
     pub(super) fn write(
         &self,
@@ -65,21 +79,24 @@ impl Maps {
         let title = format!("Samples needed for an error of {error}");
         let histogram = required_chart(title, target, &[(&name, required)]);
         let charts = [
-            ("variance", variance.to_svg()),
-            ("required", need.to_svg()),
-            ("histogram", histogram.to_svg()),
+            (variance.to_svg(), variance.to_png()),
+            (need.to_svg(), need.to_png()),
+            (histogram.to_svg(), histogram.to_png()),
         ];
-        let (mut written, mut missing) = (Vec::new(), Vec::new());
-        for (kind, svg) in charts {
-            let file = PathBuf::from(picture).with_extension(format!("{kind}.svg"));
-            match svg {
-                Ok(svg) => {
-                    save(&file, svg)?;
-                    written.push(file.display().to_string());
+        let (mut drawn, mut written, mut missing) = (Vec::new(), Vec::new(), Vec::new());
+        for (kind, (svg, png)) in KINDS.into_iter().zip(charts) {
+            match svg.and_then(|svg| Ok((svg, png?))) {
+                Ok((svg, png)) => {
+                    drawn.push((beside(picture, kind, "svg"), svg.into_bytes()));
+                    drawn.push((beside(picture, kind, "png"), png));
                 }
                 Err(ChartError::Empty(_)) => missing.push(kind),
                 Err(error) => return Err(Stop::Failure(error.to_string())),
             }
+        }
+        for (file, bytes) in drawn {
+            save(&file, bytes)?;
+            written.push(file.display().to_string());
         }
         let why = (!missing.is_empty())
             .then(|| format!("nothing to draw in the maps of {}", missing.join(" and ")));

@@ -145,6 +145,9 @@ impl Render {
         // Checked before any work, so that none is lost to a misspelt name or a closed folder.
         let path = self.path();
         output::prepare(&path, &scene)?;
+        for map in self.maps.pictures(&path) {
+            output::prepare(&map, &scene)?;
+        }
         use_threads(self.threads)?;
 
         let mut left_out = self

@@ -22,7 +22,7 @@
 //! more than all the rest of the picture.
 
 use super::{Film, Picture, Pixel};
-use crate::stats::Estimate;
+use crate::stats::{Estimate, quantile};
 
 /// How the errors of all pixels become one number.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -205,13 +205,6 @@ pub fn top_share(mut squares: Vec<f64>) -> f64 {
     } else {
         0.0
     }
-}
-
-/// The smallest of the values that a share of them does not exceed.
-pub fn quantile(mut values: Vec<f64>, share: f64) -> f64 {
-    values.sort_by(f64::total_cmp);
-    let rank = (share * values.len() as f64).ceil() as usize;
-    values[rank.clamp(1, values.len()) - 1]
 }
 
 /// How far the surroundings of a pixel reach to each side.

@@ -59,6 +59,8 @@ fn a_table_a_chart_and_numbers_for_several() {
     ] {
         assert!(svg.contains(words), "no {words:?} in the chart");
     }
+    let png = image::open(format!("{}.png", path.display())).unwrap();
+    assert_eq!(png.width(), 1440, "twice as fine as the page");
     let json: Value = serde_json::from_str(&read("json")).unwrap();
     assert_eq!(json["replicates"], 256);
     let slope = |i: usize| {

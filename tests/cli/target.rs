@@ -86,14 +86,15 @@ fn maps_lie_beside_the_picture() {
         folder.path(),
         &["render", "lamp", "--spp", "64", "--maps", "--out", "p.exr"],
     );
-    for (i, kind) in ["variance", "required", "histogram"]
-        .into_iter()
-        .enumerate()
-    {
-        let name = format!("p.{kind}.svg");
-        assert_eq!(said["maps"][i], name);
-        let svg = std::fs::read_to_string(folder.path().join(name)).unwrap();
+    let kinds = ["variance", "required", "histogram"].into_iter();
+    for (i, kind) in kinds.enumerate() {
+        let names = ["svg", "png"].map(|ending| format!("p.{kind}.{ending}"));
+        assert_eq!(said["maps"][2 * i], names[0]);
+        assert_eq!(said["maps"][2 * i + 1], names[1]);
+        let svg = std::fs::read_to_string(folder.path().join(&names[0])).unwrap();
         assert!(svg.starts_with("<svg") && svg.trim_end().ends_with("</svg>"));
+        let png = image::open(folder.path().join(&names[1])).unwrap();
+        assert_eq!(png.width(), 1440);
     }
     let normals = [
         "render",

@@ -258,6 +258,11 @@ mod unix {
                 "strips/strip.png",
                 &["classify", "sky.toml", "--out", "strips"],
             ),
+            ("out/sky.variance.png", &["render", "sky.toml", "--maps"]),
+            (
+                "out/cost/sky/rays.png",
+                &["cost", "sky.toml", "--methods", "path"],
+            ),
             (
                 "out/cost/sky/error_path.png",
                 &["cost", "sky.toml", "--methods", "path"],

@@ -1,6 +1,7 @@
 //! `{{#figure chapter/file}}` and rows of them: pictures inside the page itself.
 //!
-//! A picture is embedded as a data URI, so that a page can be read, moved or mailed on its own.
+//! A picture is embedded as a data URI, so that a page can be read, moved or mailed on its own. Renders
+//! can be given a width; charts and drawings have one of their own, at which their letters can be read.
 
 use std::fs;
 
@@ -40,15 +41,18 @@ fn figure(path: &str, width: Option<u32>, run: &Run) -> Result<String, String> {
     let (figure, picture) = run.figure(chapter, file)?;
     let bytes =
         fs::read(picture).map_err(|error| format!("cannot read `{path}`: {error}; {REMEDY}"))?;
-    let (kind, small) = match file.rsplit_once('.') {
-        Some((_, "svg")) => ("svg+xml", false),
-        Some((_, "png")) => {
-            let width = png_width(&bytes).ok_or_else(|| format!("`{path}` is not a PNG"))?;
-            ("png", width < SMALL)
+    let (kind, class) = match file.rsplit_once('.') {
+        Some((_, "svg")) if width.is_some() => {
+            return Err(format!("`{path}` is shown at the width it is drawn at"));
         }
+        Some((_, "svg")) => ("svg+xml", " class=\"drawing\""),
+        Some((_, "png")) => match png_width(&bytes) {
+            None => return Err(format!("`{path}` is not a PNG")),
+            Some(0..SMALL) => ("png", " class=\"pixels\""),
+            Some(_) => ("png", ""),
+        },
         _ => return Err(format!("`{path}` is neither a .png nor a .svg")),
     };
-    let class = if small { " class=\"pixels\"" } else { "" };
     let style = width.map_or(String::new(), |width| format!(" style=\"width: {width}%\""));
     let caption = escape(&figure.caption);
     let data = BASE64_STANDARD.encode(bytes);
@@ -108,6 +112,7 @@ mod tests {
         assert!(one(&["image.png"]).contains("instead of `image.png`"));
         assert!(one(&["ch01/image.png", "width=0%"]).contains("is no width"));
         assert!(one(&["ch01/image.png", "50%"]).contains("is no width"));
+        assert!(one(&["ch01/plot.svg", "width=50%"]).contains("is shown at the width"));
         assert!(one(&[]).contains("write `chapter/file`"));
         assert!(expand_row(&["ch01/image.png"], &run).is_err());
         assert_eq!(png_width(b"<svg/>"), None);

@@ -1,13 +1,8 @@
 //! Rays: the flat world seen from above, true to scale and without axes.
 
 mod draw;
-mod round;
-mod view;
 
-pub use round::{Arc, Circle};
-pub use view::Bounds;
-
-use super::ChartError;
+use super::{ChartError, FULL, finite};
 
 /// A picture of the plane.
 #[derive(Clone, Debug, Default)]
@@ -30,6 +25,62 @@ pub struct RayDrawing {
     pub labels: Vec<Label>,
     /// Words in the middle of their places, whatever lies beneath.
     pub captions: Vec<Label>,
+}
+
+/// An upright rectangle of the plane.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Bounds {
+    /// Lower left corner.
+    pub min: [f64; 2],
+    /// Upper right corner.
+    pub max: [f64; 2],
+}
+
+impl Default for Bounds {
+    /// The square that holds the unit disk.
+    fn default() -> Self {
+        Self {
+            min: [-1.0, -1.0],
+            max: [1.0, 1.0],
+        }
+    }
+}
+
+impl Bounds {
+    /// Extents along both axes.
+    fn size(&self) -> [f64; 2] {
+        [0, 1].map(|axis| self.max[axis] - self.min[axis])
+    }
+
+    fn holds(&self, at: [f64; 2]) -> bool {
+        (0..2).all(|axis| (self.min[axis]..=self.max[axis]).contains(&at[axis]))
+    }
+}
+
+/// A round thing.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Circle {
+    /// Its centre.
+    pub center: [f64; 2],
+    /// Its radius.
+    pub radius: f64,
+    /// What it stands for.
+    pub kind: StrokeKind,
+}
+
+/// A piece of a circle.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Arc {
+    /// Centre of the circle.
+    pub center: [f64; 2],
+    /// Radius of the circle.
+    pub radius: f64,
+    /// The angle where it begins, in radians, counter-clockwise from the right.
+    pub start: f64,
+    /// How far it goes on from there, counter-clockwise, in radians: less than a whole turn.
+    pub turn: f64,
+    /// What it stands for.
+    pub kind: StrokeKind,
 }
 
 /// A straight piece of the picture.
@@ -118,145 +169,52 @@ pub struct Dot {
 /// A word and its place.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Label {
-    /// The place; a word beside it goes to the side where it hides least.
+    /// The place; a word beside it stands above and to the right of it.
     pub at: [f64; 2],
     /// The word.
     pub text: String,
 }
 
 impl RayDrawing {
-    /// The drawing as SVG text. Its height follows the shape of the view.
+    /// The drawing as SVG text, as wide as a page. Its height follows the shape of the view.
     pub fn to_svg(&self) -> Result<String, ChartError> {
+        self.to_svg_at(FULL)
+    }
+
+    /// The drawing as SVG text, of a width in pixels.
+    pub fn to_svg_at(&self, width: u32) -> Result<String, ChartError> {
         self.check()?;
-        self.draw()
+        Ok(self.draw(f64::from(width)))
     }
 
     fn check(&self) -> Result<(), ChartError> {
-        self.finite("view", &[self.view.min, self.view.max], |&at| vec![at])?;
-        self.finite("strokes", &self.strokes, |stroke| {
-            vec![stroke.from, stroke.to]
-        })?;
-        self.finite("circles", &self.circles, |circle| {
-            vec![circle.center, [circle.radius; 2]]
-        })?;
-        self.finite("arcs", &self.arcs, |arc| {
-            vec![arc.center, [arc.radius; 2], [arc.start, arc.turn]]
-        })?;
-        self.finite("lamps", &self.lamps, |lamp| vec![lamp.at])?;
-        self.finite("dots", &self.dots, |dot| vec![dot.at])?;
-        self.finite("labels", &self.labels, |label| vec![label.at])?;
-        self.finite("captions", &self.captions, |caption| vec![caption.at])?;
-        let lists = [
-            self.strokes.len(),
-            self.circles.len(),
-            self.arcs.len(),
-            self.lamps.len(),
-            self.dots.len(),
-            self.labels.len(),
-            self.captions.len(),
+        let place = |dot: &Dot| dot.at.to_vec();
+        let word = |label: &Label| label.at.to_vec();
+        let strokes = self.strokes.iter().map(|s| [s.from, s.to].concat());
+        let circles = self
+            .circles
+            .iter()
+            .map(|c| [c.center, [c.radius; 2]].concat());
+        let arcs = self
+            .arcs
+            .iter()
+            .map(|a| [a.center, [a.radius; 2], [a.start, a.turn]].concat());
+        let lists: [(&str, Vec<Vec<f64>>); 7] = [
+            ("strokes", strokes.collect()),
+            ("circles", circles.collect()),
+            ("arcs", arcs.collect()),
+            ("lamps", self.lamps.iter().map(place).collect()),
+            ("dots", self.dots.iter().map(place).collect()),
+            ("labels", self.labels.iter().map(word).collect()),
+            ("captions", self.captions.iter().map(word).collect()),
         ];
-        let nothing = lists == [0; 7];
+        let corners = [self.view.min, self.view.max, self.view.size()];
+        finite(&self.title, "view", corners)?;
+        let nothing = lists.iter().all(|(_, list)| list.is_empty());
         if nothing || self.view.size().iter().any(|&size| size <= 0.0) {
             return Err(ChartError::Empty(self.title.clone()));
         }
-        Ok(())
-    }
-
-    /// Refuses the first entry of a list that does not lie at finite places.
-    fn finite<T>(
-        &self,
-        series: &str,
-        list: &[T],
-        places: impl Fn(&T) -> Vec<[f64; 2]>,
-    ) -> Result<(), ChartError> {
-        let lost = |entry| places(entry).as_flattened().iter().any(|x| !x.is_finite());
-        match list.iter().position(lost) {
-            None => Ok(()),
-            Some(index) => Err(ChartError::NonFinite {
-                chart: self.title.clone(),
-                series: series.to_owned(),
-                index,
-            }),
-        }
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-    use plotters::style::RGBColor;
-
-    fn drawing() -> RayDrawing {
-        let lost = |i| Stroke::new(StrokeKind::Lost, [0.0, 0.0], [f64::from(i), 9.0]);
-        let wall = Stroke::new(StrokeKind::Wall, [-1.0, -0.5], [1.0, -0.5]);
-        let useful = Stroke::arrow(StrokeKind::Useful, [0.0, 0.0], [0.5, -0.5]);
-        RayDrawing {
-            title: "lamp".into(),
-            strokes: [wall, useful].into_iter().chain((0..5).map(lost)).collect(),
-            dots: vec![Dot { at: [0.0, 0.0] }],
-            labels: vec![Label {
-                at: [0.0, 0.0],
-                text: "lamp".into(),
-            }],
-            ..RayDrawing::default()
-        }
-    }
-
-    #[test]
-    fn the_same_drawing_gives_the_same_bytes() {
-        assert_eq!(drawing().to_svg(), drawing().to_svg());
-    }
-
-    #[test]
-    fn every_stroke_is_drawn_once_and_the_legend_names_each_kind() {
-        let svg = drawing().to_svg().unwrap();
-        assert_eq!(svg.matches("<polyline").count(), 7 + 3);
-        assert_eq!(svg.matches("<polygon").count(), 1);
-        assert!(svg.contains("lost ray") && !svg.contains("normal"));
-    }
-
-    #[test]
-    fn a_circle_is_one_line_and_is_cut_at_the_edge_of_the_view() {
-        let lines = |center| {
-            let mut round = drawing();
-            let (radius, kind) = (0.25, StrokeKind::Wall);
-            round.circles = vec![Circle {
-                center,
-                radius,
-                kind,
-            }];
-            round.to_svg().unwrap().matches("<polyline").count() - (7 + 3)
-        };
-        assert_eq!(lines([0.0, 0.0]), 1);
-        assert_eq!(lines([3.0, 0.0]), 0);
-        assert!(lines([1.0, 0.0]) > 1);
-    }
-
-    #[test]
-    fn lost_rays_lie_beneath_useful_ones() {
-        let svg = drawing().to_svg().unwrap();
-        let first_of = |kind: StrokeKind| {
-            let RGBColor(r, g, b) = kind.pen().colour;
-            svg.find(&format!("stroke=\"#{r:02X}{g:02X}{b:02X}\""))
-        };
-        assert!(first_of(StrokeKind::Lost) < first_of(StrokeKind::Useful));
-        assert!(first_of(StrokeKind::Useful) < first_of(StrokeKind::Wall));
-    }
-
-    #[test]
-    fn nothing_and_nowhere_are_refused() {
-        let empty = RayDrawing::default();
-        assert_eq!(empty.to_svg(), Err(ChartError::Empty(String::new())));
-        let mut flat = drawing();
-        flat.view.max[1] = flat.view.min[1];
-        assert_eq!(flat.to_svg(), Err(ChartError::Empty("lamp".into())));
-        let mut lost = drawing();
-        lost.strokes[2].to[0] = f64::INFINITY;
-        let expected = ChartError::NonFinite {
-            chart: "lamp".into(),
-            series: "strokes".into(),
-            index: 2,
-        };
-        assert_eq!(lost.to_svg(), Err(expected));
+        let mut lists = lists.iter();
+        lists.try_for_each(|(series, list)| finite(&self.title, series, list))
     }
 }

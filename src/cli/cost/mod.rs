@@ -5,12 +5,13 @@ mod text;
 
 use super::render::size;
 use super::{Stop, answer, check_folder, save, stem, use_threads};
-use crate::chart::{Against, ChartError, cost_chart};
+use crate::chart::ChartError;
 use crate::desk::{Bar, on_ctrl_c, tell, whole};
 use crate::experiment::cost::strip::{Shown, affordable, needed, show};
 use crate::experiment::cost::{
     ALL, BASE, Budget, Design, Measured, Method, Nothing, PriceList, Priced, Verdict, measure,
 };
+use crate::figures::{Against, cost_chart};
 use crate::output::{self, Display, Provenance, png_bytes};
 use crate::render::{Film, Progress};
 use crate::scene::{Scene, gallery};
@@ -167,6 +168,9 @@ impl Cost {
         let folder = self.out.clone();
         let folder = folder.unwrap_or_else(|| PathBuf::from("out/cost").join(stem(&self.scene)));
         check_folder(&folder)?;
+        for chart in ["seconds.png", "rays.png"] {
+            output::prepare(&folder.join(chart), scene)?;
+        }
         let kinds = ["time", "time_off", "error", "error_off"];
         for kind in kinds {
             for method in methods {
@@ -257,10 +261,12 @@ impl Cost {
         let mut charts = Vec::new();
         for (name, against) in [("seconds", Against::Seconds), ("rays", Against::Rays)] {
             let title = format!("What accuracy costs: {}, against {name}", scene.name);
-            match cost_chart(title, &report.list, against).to_svg() {
-                Ok(svg) => {
+            let chart = cost_chart(title, &report.list, against);
+            match chart.to_svg().and_then(|svg| Ok((svg, chart.to_png()?))) {
+                Ok((svg, png)) => {
                     charts.push(format!("{name}.svg"));
                     files.push((format!("{name}.svg"), svg.into_bytes()));
+                    files.push((format!("{name}.png"), png));
                 }
                 // Without any error there is no place on logarithmic axes.
                 Err(ChartError::Empty(_)) => tell("note: no error anywhere, so no chart"),

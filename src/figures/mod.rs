@@ -1,0 +1,16 @@
+//! From what was measured and walked to figures: thin adapters between the laboratory and [`chart`].
+//!
+//! [`convergence_chart`], [`cost_chart`] and [`required_chart`] fill in curves. [`flat`] fills in a
+//! drawing from a flat world and the half disk over one of its points; [`walk`] draws the rays of a walk.
+//!
+//! [`chart`]: crate::chart
+
+mod convergence;
+mod cost;
+pub mod flat;
+mod requirement;
+pub mod walk;
+
+pub use convergence::convergence_chart;
+pub use cost::{Against, cost_chart};
+pub use requirement::required_chart;

@@ -1,0 +1,165 @@
+//! Walks of the flat world on paper: the rays they followed and the lines they drew to lamps.
+
+use super::flat;
+use crate::chart::{Dot, RayDrawing, Stroke, StrokeKind};
+use crate::color::Rgb;
+use crate::estimators::plane_world::PlaneWorld;
+use crate::estimators::world::{Hit, World};
+use crate::flatland::FlatWorld;
+use crate::integrators::walkable::{Aimed, FlatPoint, FlatWalk, Step, Walkable};
+use crate::sampling::stream::{Purpose, Stream};
+use crate::space::{Flat, Ray};
+use glam::Vec2;
+
+/// A flat world that draws what it is asked.
+#[derive(Clone, Debug)]
+pub struct Watched<'a> {
+    world: FlatWalk<'a>,
+    drawing: RayDrawing,
+    /// Each ray from its beginning to its end, in the order in which they were followed.
+    pub rays: Vec<[Vec2; 2]>,
+}
+
+impl<'a> Watched<'a> {
+    /// The world's walls and lamps, and no rays.
+    pub fn new(world: &'a FlatWorld) -> Self {
+        Watched {
+            world: FlatWalk::new(world),
+            drawing: flat::world(world),
+            rays: Vec::new(),
+        }
+    }
+
+    /// The walls, the lamps, what was asked of lamps, and the rays.
+    pub fn drawing(&self) -> RayDrawing {
+        let mut drawing = self.drawing.clone();
+        for (number, &[from, to]) in self.rays.iter().enumerate() {
+            let kind = match number {
+                0 => StrokeKind::Camera,
+                _ => StrokeKind::Reflected,
+            };
+            let (from, to) = (wide(from), wide(to));
+            drawing.strokes.push(Stroke::arrow(kind, from, to));
+            drawing.dots.push(Dot { at: to });
+        }
+        drawing
+    }
+
+    /// How many lines to lamps had something in their way.
+    pub fn lost(&self) -> usize {
+        let lost = |stroke: &&Stroke| stroke.kind == StrokeKind::Lost;
+        self.drawing.strokes.iter().filter(lost).count()
+    }
+
+    /// Where a ray ends, or a point out of sight.
+    fn draw(&mut self, ray: &Ray<Flat>, met: Option<Vec2>) {
+        let far = ray.origin
+            + ray.direction * (2.0 * self.world.world.window.size().as_vec2().element_sum());
+        self.rays.push([ray.origin, met.unwrap_or(far)]);
+    }
+}
+
+impl Walkable<Flat> for Watched<'_> {
+    type Point = FlatPoint;
+
+    fn follow(&mut self, ray: &Ray<Flat>, segment: u32) -> Option<FlatPoint> {
+        let met = self.world.follow(ray, segment);
+        self.draw(ray, met.map(|at| at.hit.surface.p));
+        met
+    }
+
+    fn arriving(&self, ray: &Ray<Flat>, met: Option<&FlatPoint>) -> Rgb {
+        self.world.arriving(ray, met)
+    }
+
+    fn scatter(&self, at: &FlatPoint, place: u64, stream: &Stream) -> Option<Step<Flat>> {
+        self.world.scatter(at, place, stream)
+    }
+
+    fn lamps(&self) -> usize {
+        self.world.lamps()
+    }
+
+    fn aim(&mut self, at: &FlatPoint, lamp: usize, place: u64, stream: &Stream) -> Option<Aimed> {
+        let before = self.world.rays;
+        let aimed = self.world.aim(at, lamp, place, stream);
+        // A shadow ray was sent: to the point that these numbers give.
+        if self.world.rays > before {
+            let (world, p) = (self.world.world, at.hit.surface.p);
+            let to = match world.lamps.get(lamp) {
+                Some(point) => Some(point.position),
+                None => {
+                    let numbers = stream.at_item(place, Purpose::LightPoint, lamp as u32);
+                    let glowing = &world.glowing()[lamp - world.lamps.len()];
+                    let drawn = glowing.sample(p, numbers.clone().one());
+                    drawn.map(|drawn| drawn.surface.p)
+                }
+            };
+            let kind = match aimed {
+                Some(_) => StrokeKind::Shadow,
+                None => StrokeKind::Lost,
+            };
+            let line = to.map(|to| Stroke::new(kind, wide(p), wide(to)));
+            self.drawing.strokes.extend(line);
+        }
+        aimed
+    }
+
+    fn pdf_aim(&self, from: &FlatPoint, ray: &Ray<Flat>, met: Option<&FlatPoint>) -> f32 {
+        self.world.pdf_aim(from, ray, met)
+    }
+}
+
+/// Trees of rays are drawn, too; their lines to lamps are not.
+impl World<Flat> for Watched<'_> {
+    type Light = Rgb;
+
+    fn first_hit(&mut self, ray: &Ray<Flat>) -> Option<Hit<Flat, Rgb>> {
+        let met = PlaneWorld(self.world.world).first_hit(ray);
+        self.draw(ray, met.map(|hit| hit.p));
+        met
+    }
+
+    fn environment(&self, direction: Vec2) -> Rgb {
+        PlaneWorld(self.world.world).environment(direction)
+    }
+}
+
+fn wide(v: Vec2) -> [f64; 2] {
+    v.as_dvec2().to_array()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::flatland;
+    use crate::integrators::NextEvent;
+
+    #[test]
+    fn a_walk_is_drawn_ray_by_ray_and_is_the_same_walk() {
+        let room = flatland::load("room").expect("a world");
+        let eye = Ray {
+            origin: Vec2::new(0.4, 0.6),
+            direction: Vec2::new(0.6, -0.8),
+        };
+        for i in 0..40 {
+            let (walk, stream) = (NextEvent { max_depth: 5 }, Stream::new(3, i, 0));
+            let (mut watched, mut plain) = (Watched::new(&room), FlatWalk::new(&room));
+            let seen = walk.walk(&mut watched, &eye, &stream);
+            assert_eq!(seen, walk.walk(&mut plain, &eye, &stream));
+            assert_eq!(watched.rays.len(), 5, "a closed room");
+            let drawing = watched.drawing();
+            let lines = drawing
+                .strokes
+                .iter()
+                .filter(|s| s.kind == StrokeKind::Shadow);
+            for line in lines.clone() {
+                assert!((line.to[1] - 1.0).abs() < 1e-6, "on the ceiling: {line:?}");
+            }
+            assert_eq!(lines.count() as u64 + 5, plain.rays);
+            for pair in watched.rays.windows(2) {
+                assert!(pair[0][1].distance(pair[1][0]) < 1e-4, "a chain: {pair:?}");
+            }
+        }
+    }
+}
