@@ -58,7 +58,7 @@ impl LeftOut {
 
     /// The integrator, where it cannot find all that is wanted.
     pub fn finder(&self) -> Option<&'static str> {
-        (!self.missed.is_empty()).then(|| self.integrator.name)
+        (!self.missed.is_empty()).then_some(self.integrator.name)
     }
 
     /// What is not in the error of the picture, in words; `None` where everything is.

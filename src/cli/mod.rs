@@ -53,7 +53,7 @@ enum Action {
     /// Run the chapters in order; write the gallery page and the ledger
     Tour(tour::Tour),
     /// Render a scene
-    Render(render::Render),
+    Render(Box<render::Render>),
     /// List the scenes of the gallery, or show one's file
     Scenes(scenes::Scenes),
     /// Measure how fast the error of an estimator falls

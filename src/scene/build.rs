@@ -23,7 +23,7 @@ use std::path::Path;
 use std::sync::Arc;
 use std::time::Duration;
 
-/// Pixels an image may have: its film takes 72 bytes each.
+/// Pixels an image may have: its film takes 152 bytes each.
 const MAX_PIXELS: u64 = 1 << 25;
 /// A side of an image.
 type Side = Whole<1, 65_536>;
