@@ -37,6 +37,10 @@
 //!     [`desk`]: what every chapter shares
 //! 13. [`cli`]: the command
 //!
+//! [`chart`], [`figures`], [`ledger`], [`desk`] and [`cli`] belong to the feature `programs`, which is on
+//! unless `default-features = false` is said: then the library is the renderer alone, reads and
+//! writes no EXR, and needs none of the crates for commands and charts.
+//!
 //! ## Vocabulary
 //!
 //! | symbol | is |
@@ -62,18 +66,25 @@
 //! scalar [`Vec3`](glam::Vec3); every sum over samples is `f64`, in a fixed order for each pixel,
 //! so a picture is the same bytes on any number of threads.
 
+pub use glam;
+
 pub mod camera;
+#[cfg(feature = "programs")]
 pub mod chart;
+#[cfg(feature = "programs")]
 pub mod cli;
 pub mod color;
+#[cfg(feature = "programs")]
 pub mod desk;
 pub mod effects;
 pub mod estimators;
 pub mod experiment;
+#[cfg(feature = "programs")]
 pub mod figures;
 pub mod flatland;
 pub mod geometry;
 pub mod integrators;
+#[cfg(feature = "programs")]
 pub mod ledger;
 pub mod lights;
 pub mod materials;

@@ -120,10 +120,6 @@ struct Spelling<'a>(&'a Path);
 impl Recorder for Spelling<'_> {
     type Notes = Sums;
 
-    fn pictures(&self) -> usize {
-        0
-    }
-
     fn record(
         &self,
         tracer: &mut Tracer,

@@ -1,5 +1,6 @@
 //! Pictures as files: PNG for the screen, EXR and HDR for the numbers.
 
+#[cfg_attr(not(feature = "programs"), path = "no_exr.rs")]
 mod exr_file;
 mod file;
 mod hdr_file;

@@ -15,7 +15,9 @@ pub trait Recorder: Sync {
     type Notes: Clone + Default + Send + Sync;
 
     /// How many further pictures there are.
-    fn pictures(&self) -> usize;
+    fn pictures(&self) -> usize {
+        0
+    }
 
     /// One sample of the radiance that arrives along `ray`, in W/(m² sr). Its parts in the further pictures
     /// go to `parts`.
@@ -31,10 +33,6 @@ pub trait Recorder: Sync {
 
 impl<I: Integrator + ?Sized> Recorder for I {
     type Notes = ();
-
-    fn pictures(&self) -> usize {
-        0
-    }
 
     fn record(
         &self,

@@ -1,6 +1,7 @@
 //! Images from EXR, HDR and PNG files, as linear light.
 
 mod hdr;
+#[cfg_attr(not(feature = "programs"), path = "no_exr.rs")]
 mod open_exr;
 
 pub use open_exr::layer;
