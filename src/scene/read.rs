@@ -122,10 +122,7 @@ pub fn unknown(name: &str, gallery: &[(&str, &str)]) -> SceneError {
         let text = format!("no scene is named: give one of the gallery ({all}) or a .toml file");
         return SceneError::Unknown(text);
     }
-    let meant = match nearest(name, &names) {
-        Some(near) => format!("; did you mean `{near}`?"),
-        None => String::new(),
-    };
+    let meant = guess(name, &names);
     SceneError::Unknown(format!(
         "`{name}` is neither a scene of the gallery ({all}) nor a file{meant}"
     ))
@@ -134,12 +131,16 @@ pub fn unknown(name: &str, gallery: &[(&str, &str)]) -> SceneError {
 /// Names less alike than this (Jaro and Winkler) are other names.
 const ALIKE: f64 = 0.8;
 
-/// The name that was meant, if one is near enough.
-pub(super) fn nearest<'a>(name: &str, names: &[&'a str]) -> Option<&'a str> {
+/// A question for the name that was meant, if one is near enough.
+pub(super) fn guess(name: &str, names: &[&str]) -> String {
     let stem = name.trim_end_matches(".toml").to_lowercase();
-    let near = |other: &&'a str| (strsim::jaro_winkler(&stem, other), *other);
-    let best = names.iter().map(near).max_by(|a, b| a.0.total_cmp(&b.0))?;
-    (best.0 > ALIKE).then_some(best.1)
+    let near = names
+        .iter()
+        .map(|other| (strsim::jaro_winkler(&stem, other), other));
+    match near.max_by(|a, b| a.0.total_cmp(&b.0)) {
+        Some((alike, meant)) if alike > ALIKE => format!("; did you mean `{meant}`?"),
+        _ => String::new(),
+    }
 }
 
 /// A scene file's text with its name, for error messages.

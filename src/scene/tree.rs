@@ -11,7 +11,7 @@
 //! * a tuple struct is a list of numbers, or one number for all; its name is what is expected there.
 
 use super::field::{Checked, Problem, Within};
-use super::read::nearest;
+use super::read::guess;
 use serde::de::value::SeqDeserializer;
 use serde::de::{
     self, Deserialize, DeserializeSeed, Deserializer, EnumAccess, Expected, IntoDeserializer,
@@ -31,7 +31,10 @@ impl de::Error for Problem {
 
     fn invalid_type(found: Unexpected, expected: &dyn Expected) -> Self {
         let expected = expected.to_string();
-        let expected = match expected.as_str() {
+        // What stands behind a semicolon is for the end of the sentence.
+        let end = expected.find(';').unwrap_or(expected.len());
+        let (expected, fields) = expected.split_at(end);
+        let expected = match expected {
             "f64" => "a number",
             "i64" => "a whole number",
             "a sequence" => "a list",
@@ -44,7 +47,7 @@ impl de::Error for Problem {
             Unexpected::Seq => "a list".to_owned(),
             other => format!("the {other}").replace(" as i128", ""),
         };
-        Problem::new(format!("must be {expected}, not {found}"))
+        Problem::new(format!("must be {expected}, not {found}{fields}"))
     }
 
     fn unknown_field(name: &str, allowed: &'static [&'static str]) -> Self {
@@ -59,8 +62,7 @@ impl de::Error for Problem {
 fn unknown(name: &str, allowed: &[&str]) -> Problem {
     let quoted: Vec<String> = allowed.iter().map(|field| format!("`{field}`")).collect();
     let quoted = quoted.join(if allowed.len() == 2 { " or " } else { ", " });
-    let meant = nearest(name, allowed).map(|near| format!("; did you mean `{near}`?"));
-    let meant = meant.unwrap_or_default();
+    let meant = guess(name, allowed);
     Problem::new(format!("is not a field here; allowed: {quoted}{meant}"))
 }
 
@@ -100,10 +102,7 @@ impl<'a> Value<'a> {
                 let all = all.map(|(key, value)| (&**key.get_ref(), Value::Said(value.get_ref())));
                 Ok((all.collect(), Vec::new()))
             }
-            other => other.refused("a table").map_err(|problem| {
-                let fields = fields.join(", ");
-                Problem::new(format!("{problem}; its fields are {fields}"))
-            }),
+            other => other.refused(&format!("a table; its fields are {}", fields.join(", "))),
         }
     }
 

@@ -193,6 +193,7 @@ fov = 40 | fov = "wide" | camera.fov | must be a number, not the string "wide"
 fov = 40 | fov = [40] | camera.fov | must be a number, not a list
 fov = 40 | fov = { degrees = 40 } | camera.fov | must be a number, not a table
 fov = 40 | fov = 1e400 | camera.fov | overflow
+lambert = { albedo = [0.5, 0.4, 0.3] } | lambert = 1e400 | materials.dull.lambert | overflows: no number is larger than 1.8e308
 fov = 40 | fov = 1979-05-27 | camera.fov | must be a number, not the date
 fov = 40 | fov = 99999999999999999999 | camera.fov | must be a number, not the integer `99999999999999999999`
 fov = 40 | fov = 0xfffffffffffffffffffffffffffffffffffff | camera.fov | overflows
