@@ -23,7 +23,8 @@ pub struct Options {
     pub seed: u64,
     /// How the samples of a pixel lie to each other.
     pub sampler: Sampler,
-    /// Integrals that are left out: their purposes' numbers are all 1/2 (see [`Stream::fixing`]).
+    /// Integrals that are left out: their purposes' numbers are all 1/2 (see
+    /// [`Stream::fixing`](crate::sampling::stream::Stream::fixing)).
     pub fixed: &'static [Purpose],
     /// Side of the square tiles that threads take in turn, in pixels; changes no bit.
     pub tile: u32,
@@ -60,7 +61,7 @@ pub struct Rendered {
     pub largest: f32,
     /// True where it was stopped before its last sample.
     pub interrupted: bool,
-    /// The lamps that walks have met: see [`Tracer::lamps_met`].
+    /// The lamps that walks have met: see [`Tracer::lamps_met`](crate::scene::Tracer::lamps_met).
     pub lamps_met: u64,
 }
 
