@@ -135,6 +135,7 @@ impl Classify {
             let words = words.as_ref();
             let mut object = as_json(&scene, words, &sorted, &strip.display().to_string());
             object["sum_is_off_by"] = json!(off);
+            object["interrupted"] = json!(words.is_none());
             answer(&(serde_json::to_string_pretty(&object)? + "\n"))?;
         } else {
             tell(format_args!("wrote {}", strip.display()));

@@ -44,7 +44,7 @@ impl Combine {
         [
             "combine",
             "lamps found both ways, weighted",
-            "The same with both techniques weighted: aiming at every lamp, and finding it by chance",
+            "The walk of next-event with both techniques weighted: aiming at every lamp, and finding it by chance",
         ],
         Finds::BY_AIMING,
         |max_depth| {

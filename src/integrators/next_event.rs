@@ -40,7 +40,7 @@ impl NextEvent {
         [
             "next-event",
             "the walk, and a shadow ray to each lamp",
-            "The same walk with a shadow ray to each lamp at diffuse surfaces: the same light with less \
+            "The walk of kajiya with a shadow ray to each lamp at diffuse surfaces: the same light with less \
              noise; of point and directional lights LD(S|D)*E",
         ],
         Finds::BY_AIMING,
