@@ -58,6 +58,18 @@ impl Rgb {
         self.r.is_finite() && self.g.is_finite() && self.b.is_finite()
     }
 
+    /// Channel by channel the smaller of two colours.
+    #[must_use]
+    pub fn min(self, o: Rgb) -> Rgb {
+        Rgb::new(self.r.min(o.r), self.g.min(o.g), self.b.min(o.b))
+    }
+
+    /// Channel by channel the larger of two colours.
+    #[must_use]
+    pub fn max(self, o: Rgb) -> Rgb {
+        Rgb::new(self.r.max(o.r), self.g.max(o.g), self.b.max(o.b))
+    }
+
     /// True where no channel carries anything.
     pub fn is_black(self) -> bool {
         self == Rgb::BLACK

@@ -10,7 +10,7 @@ use halfdisk::estimators::shrinking_lamp::{self, Technique};
 use halfdisk::estimators::split::Split;
 use halfdisk::estimators::walks;
 use halfdisk::flatland::{self, FlatWorld, exact};
-use halfdisk::integrators::walkable::FlatWalk;
+use halfdisk::integrators::world::FlatTracer;
 use halfdisk::integrators::{Kajiya, NextEvent};
 use halfdisk::render::{Film, Options, render};
 use halfdisk::sampling::discrete::Discrete;
@@ -105,17 +105,14 @@ fn world(text: &str) -> FlatWorld {
 
 /// Onto the middle of a floor.
 fn down() -> Ray<Flat> {
-    Ray {
-        origin: Vec2::new(-0.5, 0.25),
-        direction: Vec2::new(2.0, -1.0).normalize(),
-    }
+    Ray::new(Vec2::new(-0.5, 0.25), Vec2::new(2.0, -1.0).normalize())
 }
 
 #[test]
 fn a_lamp_that_counts_twice_is_refused() {
     let lamp = flatland::load("lamp").unwrap();
     let truth = 0.4 * exact::segment(1.0, [[-0.5, 1.0], [0.5, 1.0]].map(Into::into));
-    let read = |walk: &(dyn Fn(&mut FlatWalk, &Stream) -> Rgb + Sync)| {
+    let read = |walk: &(dyn Fn(&mut FlatTracer, &Stream) -> Rgb + Sync)| {
         walks::flat(&lamp, truth, 200_000, 8, walk).estimate
     };
     let max_depth = 2;
@@ -184,13 +181,10 @@ fn s0_16_a_path_has_one_ray_and_one_to_each_lamp_at_each_surface() {
          [[lamps]]\npoint = { position = [0.4, 0.5], power = 1 }\n\
          [[lamps]]\npoint = { position = [0.6, 0.7], power = 1 }",
     );
-    let eye = Ray::<Flat> {
-        origin: Vec2::new(0.3, 0.2),
-        direction: Vec2::new(0.8, -0.6),
-    };
+    let eye = Ray::<Flat>::new(Vec2::new(0.3, 0.2), Vec2::new(0.8, -0.6));
     for depth in 1..=8_u32 {
-        let rays = |walk: &dyn Fn(&mut FlatWalk)| {
-            let mut world = FlatWalk::new(&room);
+        let rays = |walk: &dyn Fn(&mut FlatTracer)| {
+            let mut world = FlatTracer::new(&room);
             walk(&mut world);
             world.rays
         };
@@ -272,10 +266,7 @@ fn paths_that_share_their_first_ray_paint_the_same_picture() {
 fn the_golden_room_by_any_number_of_paths() {
     let room = flatland::load("room").unwrap();
     let (truth, max_depth) = (exact::ROOM_FLOOR, 20);
-    let eye = Ray::<Flat> {
-        origin: Vec2::splat(0.5),
-        direction: Vec2::NEG_Y,
-    };
+    let eye = Ray::<Flat>::new(Vec2::splat(0.5), Vec2::NEG_Y);
     let mut variances = Vec::new();
     for paths in [1, 2, 4, 16] {
         let split = Split { paths, max_depth };

@@ -165,10 +165,7 @@ fn s0_04_a_tree_has_the_rays_it_should() {
             world: Furnace { albedo: 0.5 },
             rays: 0,
         };
-        let eye = Ray::<Flat> {
-            origin: glam::Vec2::ZERO,
-            direction: glam::Vec2::Y,
-        };
+        let eye = Ray::<Flat>::new(glam::Vec2::ZERO, glam::Vec2::Y);
         gather.li(&mut world, &eye, &Stream::new(1, 0, 0));
         assert_eq!(world.rays, rays);
     }
@@ -196,10 +193,7 @@ fn lit_floor(lamp: &str) -> Estimate {
     let scene = gallery::from_text(source, None, |_| {}).expect("a right scene");
     let mut tracer = Tracer::new(&scene);
     let camera = scene.camera.ray(0.5, 0.5);
-    let eye = Ray::<Solid> {
-        origin: camera.origin,
-        direction: camera.direction,
-    };
+    let eye = Ray::<Solid>::new(camera.origin, camera.direction);
     let gather = Gather {
         samples: 1,
         depth: 0,

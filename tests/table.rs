@@ -7,7 +7,7 @@ use glam::{Vec2, Vec3};
 use halfdisk::color::Rgb;
 use halfdisk::flatland;
 use halfdisk::geometry::Ray;
-use halfdisk::integrators::walkable::FlatWalk;
+use halfdisk::integrators::world::FlatTracer;
 use halfdisk::integrators::{
     Combine, Integrator, Kajiya, NextEvent, Path, Roulette, Shares, Survival,
 };
@@ -332,12 +332,9 @@ fn walks_in_the_flat_world_meet_its_closed_forms() {
         ),
     ] {
         let world = flatland::load(name).unwrap();
-        let down = space::Ray {
-            origin: from,
-            direction: Vec2::NEG_Y,
-        };
-        let red = |walk: &(dyn Fn(&mut FlatWalk, &Stream) -> Rgb + Sync)| -> Estimate {
-            let one = |i| f64::from(walk(&mut FlatWalk::new(&world), &Stream::new(2, i, 0)).r);
+        let down = space::Ray::new(from, Vec2::NEG_Y);
+        let red = |walk: &(dyn Fn(&mut FlatTracer, &Stream) -> Rgb + Sync)| -> Estimate {
+            let one = |i| f64::from(walk(&mut FlatTracer::new(&world), &Stream::new(2, i, 0)).r);
             let samples: Vec<f64> = (0..200_000).into_par_iter().map(one).collect();
             samples.into_iter().collect()
         };

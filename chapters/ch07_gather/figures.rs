@@ -151,10 +151,7 @@ pub fn growth(desk: &mut Desk, seed: u64) -> Result<(), DeskError> {
             world: Furnace { albedo: 0.5 },
             rays: 0,
         };
-        let eye = space::Ray::<Solid> {
-            origin: Vec3::ZERO,
-            direction: Vec3::Y,
-        };
+        let eye = space::Ray::<Solid>::new(Vec3::ZERO, Vec3::Y);
         gather.li(&mut room, &eye, &Stream::new(seed, 0, 0));
         let says = format!("rays of a tree: {samples} directions, depth {depth}");
         let name = format!("rays_{samples}_{depth}");

@@ -24,10 +24,7 @@ const BRANCHES: usize = 16;
 pub fn tree_and_path(desk: &mut Desk) -> Result<(), DeskError> {
     let room = flatland::load("room")?;
     let mut watched = Watched::new(&room);
-    let eye = Ray::<Flat> {
-        origin: Vec2::new(0.15, 0.75),
-        direction: Vec2::new(0.6, -0.8),
-    };
+    let eye = Ray::<Flat>::new(Vec2::new(0.15, 0.75), Vec2::new(0.6, -0.8));
     let tree = Gather {
         samples: BRANCHES as u32,
         depth: 2,

@@ -63,10 +63,7 @@ const SEGMENTS: u32 = 24;
 fn room(desk: &mut Desk) -> Result<(f64, f64, u64), DeskError> {
     let (room, truth) = (flatland::load("room")?, exact::ROOM_FLOOR);
     let (count, seed) = (desk.choose(1_000_000, 100_000), desk.options.seed);
-    let eye = Ray::<Flat> {
-        origin: Vec2::splat(0.5),
-        direction: Vec2::NEG_Y,
-    };
+    let eye = Ray::<Flat>::new(Vec2::splat(0.5), Vec2::NEG_Y);
     // ANCHOR: room
     let max_depth = SEGMENTS;
     let found = walks::flat(&room, truth, count, seed, |world, stream| {

@@ -4,9 +4,9 @@ use halfdisk::chart::{Axis, Bar, BarChart, BarGroup, Curve, CurveChart, Style};
 use halfdisk::color::Rgb;
 use halfdisk::desk::{Desk, DeskError};
 use halfdisk::geometry::Ray;
-use halfdisk::integrators::walkable::SolidPoint;
+use halfdisk::integrators::world::Interaction;
 use halfdisk::integrators::{Integrator, WhichRay};
-use halfdisk::materials::{Event, Material, Scattered};
+use halfdisk::materials::{Event, Material, BsdfSample};
 use halfdisk::sampling::stream::Stream;
 use halfdisk::scene::Tracer;
 use halfdisk::stats::Estimate;
@@ -16,7 +16,7 @@ use halfdisk::stats::z_test::{FOUR, z_test};
 pub const KINDS: [&str; 3] = ["diffuse", "specular", "transmitted"];
 
 /// The place in [`KINDS`] of a ray that was chosen at a surface seen from its front.
-pub fn kind(next: &Scattered) -> usize {
+pub fn kind(next: &BsdfSample) -> usize {
     match next.event {
         Event::Diffuse | Event::Gloss => 0,
         Event::Specular if next.wi.z > 0.0 => 1,
@@ -40,7 +40,7 @@ impl Integrator for FirstChoice {
         if !matches!(hit.object.material, Some(Material::Mixture(_))) {
             return dim;
         }
-        let here = SolidPoint::new(hit, ray.direction);
+        let here = Interaction::new(hit, ray.direction);
         let next = self.0.further(&here, 1, stream);
         next.map_or(Rgb::BLACK, |next| [orange, blue, green][kind(&next)])
     }

@@ -11,7 +11,7 @@ mod pictures;
 use halfdisk::desk::{Chapter, Desk, DeskError, Number};
 use halfdisk::estimators::survival::{Furnace, Game};
 use halfdisk::flatland::gallery;
-use halfdisk::integrators::walkable::FlatWalk;
+use halfdisk::integrators::world::FlatTracer;
 use halfdisk::integrators::{Kajiya, Roulette, Survival};
 use halfdisk::ledger::Ledger;
 use halfdisk::sampling::stream::Stream;
@@ -88,10 +88,7 @@ fn dark_floor(desk: &mut Desk) -> Result<(), DeskError> {
     let text = "name = 'dark'\nbackground = 1\n\
                 [[objects]]\nalbedo = 0.05\nsegment = { from = [-1, 0], to = [1, 0] }";
     let world = gallery::from_text(Source { file: "dark", text })?;
-    let eye = Ray::<Flat> {
-        origin: glam::Vec2::Y,
-        direction: glam::Vec2::NEG_Y,
-    };
+    let eye = Ray::<Flat>::new(glam::Vec2::Y, glam::Vec2::NEG_Y);
     // ANCHOR_END: dark_floor
     let walks = desk.choose(400_000, 50_000);
     let roulette = Roulette {
@@ -101,7 +98,7 @@ fn dark_floor(desk: &mut Desk) -> Result<(), DeskError> {
         ("cut", "two segments", true),
         ("roulette", "roulette", false),
     ] {
-        let mut floor = FlatWalk::new(&world);
+        let mut floor = FlatTracer::new(&world);
         let one = |i| {
             let stream = Stream::new(desk.options.seed, i, 6);
             let li = if cut {

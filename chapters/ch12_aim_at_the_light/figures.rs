@@ -121,10 +121,7 @@ fn digits(a: f64) -> String {
 /// A walk of the yard with the lines it drew to lamps.
 pub fn shadow_rays(desk: &mut Desk) -> Result<(), DeskError> {
     let yard = flatland::load("yard")?;
-    let eye = Ray::<Flat> {
-        origin: Vec2::new(3.4, 2.6),
-        direction: Vec2::new(0.55, -0.84).normalize(),
-    };
+    let eye = Ray::<Flat>::new(Vec2::new(3.4, 2.6), Vec2::new(0.55, -0.84).normalize());
     let walk = NextEvent { max_depth: 4 };
     let walks = (0..1000).map(|i| {
         let mut watched = Watched::new(&yard);

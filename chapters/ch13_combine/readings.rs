@@ -6,7 +6,7 @@ use halfdisk::desk::{Desk, DeskError, Number};
 use halfdisk::estimators::mistakes::misled::{Misled, Slip};
 use halfdisk::estimators::overhead::{Overhead, Technique};
 use halfdisk::geometry::Ray;
-use halfdisk::integrators::walkable::FlatWalk;
+use halfdisk::integrators::world::FlatTracer;
 use halfdisk::integrators::{Combine, Integrator, Kajiya, NextEvent};
 use halfdisk::sampling::mis::Heuristic;
 use halfdisk::sampling::stream::Stream;
@@ -93,7 +93,7 @@ pub fn mistakes(desk: &mut Desk) -> Result<(), DeskError> {
         ("selection", "selection forgotten", Slip::Selection),
     ] {
         let mut misled = Misled {
-            world: FlatWalk::new(&world),
+            world: FlatTracer::new(&world),
             slip,
         };
         let mut one = |i| {

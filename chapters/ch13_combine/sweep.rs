@@ -2,7 +2,7 @@
 
 use halfdisk::desk::{Desk, DeskError, Number};
 use halfdisk::estimators::overhead::{Aim, Overhead, Technique};
-use halfdisk::integrators::walkable::FlatWalk;
+use halfdisk::integrators::world::FlatTracer;
 use halfdisk::sampling::mis::Heuristic;
 use halfdisk::sampling::stream::{Purpose, Stream};
 use halfdisk::stats::Estimate;
@@ -104,7 +104,7 @@ pub fn to(parts: f64, x: f64) -> f64 {
 fn size(hundredths: u32, walks: u32, seed: u64) -> Result<Size, DeskError> {
     let lamp = Overhead::new(f64::from(hundredths) / 100.0);
     let world = lamp.world(1)?;
-    let mut walk = FlatWalk::new(&world);
+    let mut walk = FlatTracer::new(&world);
     let mut means = [Estimate::new(); 4];
     let mut squares = [Estimate::new(); 4];
     for i in 0..walks {

@@ -55,10 +55,7 @@ fn measure(plan: &Plan, runs: u32) -> (Estimate, f64) {
         world: PLATES,
         rays: 0,
     };
-    let down = Ray {
-        origin: Vec3::new(0.0, 0.5, 0.0),
-        direction: Vec3::NEG_Y,
-    };
+    let down = Ray::new(Vec3::new(0.0, 0.5, 0.0), Vec3::NEG_Y);
     let sample = |i| f64::from(li(&mut world, &down, 0, plan, 0, &Stream::new(7, i, 0)));
     let estimate = (0..runs).map(sample).collect();
     (estimate, world.rays as f64 / f64::from(runs))

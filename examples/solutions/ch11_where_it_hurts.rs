@@ -8,7 +8,7 @@
 
 use glam::Vec2;
 use halfdisk::flatland::{FlatWorld, gallery};
-use halfdisk::integrators::walkable::FlatWalk;
+use halfdisk::integrators::world::FlatTracer;
 use halfdisk::integrators::{Kajiya, Roulette, Survival};
 use halfdisk::sampling::stream::Stream;
 use halfdisk::scene::read::{SceneError, Source};
@@ -48,11 +48,8 @@ enum Way {
 
 /// What a way reads of the floor, and its rays for one walk.
 fn measure(world: &FlatWorld, way: Way, walks: u32) -> (Estimate, f64) {
-    let eye = Ray::<Flat> {
-        origin: Vec2::new(0.5, 0.5),
-        direction: Vec2::NEG_Y,
-    };
-    let mut walk = FlatWalk::new(world);
+    let eye = Ray::<Flat>::new(Vec2::new(0.5, 0.5), Vec2::NEG_Y);
+    let mut walk = FlatTracer::new(world);
     let one = |i| {
         let stream = Stream::new(11, i, 0);
         let li = match way {

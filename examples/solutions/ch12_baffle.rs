@@ -37,10 +37,7 @@ fn measure(open: f64, count: u32) -> Result<(f64, [Walks; 2]), SceneError> {
         text: &text,
     })?;
     let truth = 0.5 * (libm::sin(edge) + libm::sin(HALF_ANGLE));
-    let ray = Ray::<Flat> {
-        origin: Vec2::new(-0.5, 0.25),
-        direction: Vec2::new(2.0, -1.0).normalize(),
-    };
+    let ray = Ray::<Flat>::new(Vec2::new(-0.5, 0.25), Vec2::new(2.0, -1.0).normalize());
     let max_depth = 2;
     let chance = walks::flat(&world, truth, count, 1, |world, stream| {
         Kajiya { max_depth }.walk(world, &ray, stream)

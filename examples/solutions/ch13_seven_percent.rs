@@ -8,7 +8,7 @@
 
 use halfdisk::estimators::mistakes::misled::{Misled, Slip};
 use halfdisk::estimators::overhead::{Overhead, Technique};
-use halfdisk::integrators::walkable::FlatWalk;
+use halfdisk::integrators::world::FlatTracer;
 use halfdisk::sampling::mis::Heuristic;
 use halfdisk::sampling::stream::{Purpose, Stream};
 use halfdisk::scene::SceneError;
@@ -28,7 +28,7 @@ const SLIPS: [(&str, Slip); 3] = [
 fn reading(lamp: &Overhead, slip: Slip) -> Result<Estimate, SceneError> {
     let world = lamp.world(1)?;
     let mut misled = Misled {
-        world: FlatWalk::new(&world),
+        world: FlatTracer::new(&world),
         slip,
     };
     let one = |i| Technique::Both(HEURISTIC).walk(&mut misled, &Stream::new(13, i, 0));

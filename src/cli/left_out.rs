@@ -76,7 +76,7 @@ impl LeftOut {
 
     /// What is found out when the picture is finished: the lamps that a walk has met.
     pub fn see(&mut self, scene: &Scene, rendered: &Rendered) {
-        self.unmet = unmet(&self.integrator, scene, rendered.lamps_met);
+        self.unmet = unmet(&self.integrator, scene, rendered.lights_met);
     }
 
     /// What to say of lamps that no sample has met; nothing where there are none.

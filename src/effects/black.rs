@@ -1,10 +1,9 @@
 //! Why a picture is black.
 
 use super::missed::misses_everything;
-use crate::integrators::{Entry, walkable::SolidPoint, walkable::Walkable};
+use crate::integrators::{Entry, world::World};
 use crate::render::{Options, camera_sample};
-use crate::scene::{Scene, Sky, Tracer};
-use crate::space::Ray;
+use crate::scene::{Interaction, Scene, Sky, Tracer};
 
 /// Camera rays that are looked at, to each side.
 const GRID: u32 = 24;
@@ -97,26 +96,25 @@ fn look(scene: &Scene) -> Seen {
     for i in 0..GRID * GRID {
         let pixel = [(i % GRID, width), (i / GRID, height)];
         let [x, y] = pixel.map(|(k, n)| (u64::from(k) * u64::from(n) / u64::from(GRID)) as u32);
-        let (ray, stream) = camera_sample(&mut tracer, &Options::default(), [x, y], i);
-        let mut ray: Ray<_> = (&ray).into();
+        let (mut ray, stream) = camera_sample(scene, &Options::default(), [x, y], i);
         for segment in 1..=LONGEST {
-            let Some(at) = tracer.follow(&ray, segment) else {
+            let Some(at) = tracer.intersect(&ray, segment) else {
                 seen.left += 1;
                 break;
             };
             let behind = at.wo.z < 0.0;
             if segment == 1 {
                 seen.hits += 1;
-                let object: *const _ = at.hit.object;
+                let object: *const _ = at.object;
                 let same = *first.get_or_insert(object) == object;
                 seen.inner += usize::from(same && behind);
             }
-            seen.backs += usize::from(behind && at.hit.object.light.is_some());
-            if at.hit.object.material.is_some_and(|m| m.is_smooth()) {
+            seen.backs += usize::from(behind && at.object.light.is_some());
+            if tracer.smooth_event(&at).is_some() {
                 seen.points += 1;
                 ask(&mut seen, &mut tracer, &at);
             }
-            match tracer.scatter(&at, u64::from(segment), &stream) {
+            match tracer.sample_bsdf(&at, u64::from(segment), &stream) {
                 Some(step) => ray = step.ray,
                 None => break,
             }
@@ -126,13 +124,13 @@ fn look(scene: &Scene) -> Seen {
 }
 
 /// Asks every lamp for light at a point.
-fn ask(seen: &mut Seen, tracer: &mut Tracer, at: &SolidPoint) {
-    let Some(material) = at.hit.object.material else {
+fn ask(seen: &mut Seen, tracer: &mut Tracer, at: &Interaction) {
+    let Some(bsdf) = at.bsdf else {
         return;
     };
     for lamp in 0..tracer.scene().lights.len() {
         for u in ASKED {
-            let Some(sample) = tracer.sample_light(lamp, &at.hit.surface, MIDDLE, u) else {
+            let Some(sample) = tracer.light_sample(lamp, &at.surface, MIDDLE, u) else {
                 continue;
             };
             if sample.incident.facing_irradiance().is_black() {
@@ -140,7 +138,7 @@ fn ask(seen: &mut Seen, tracer: &mut Tracer, at: &SolidPoint) {
             }
             seen.facing += 1;
             let wi = at.frame.to_local(sample.wi);
-            if wi.z.abs() < GRAZING || material.f(at.wo, wi).is_black() {
+            if wi.z.abs() < GRAZING || bsdf.f(at.wo, wi).is_black() {
                 continue;
             }
             seen.beside += 1;

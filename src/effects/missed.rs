@@ -47,12 +47,12 @@ pub fn missed(entry: &Entry, inventory: &Inventory, wanted: Option<&Language>) -
 }
 
 /// Lamps that an integrator finds by chance alone and has not met, so that their light is not in the scatter of
-/// its samples either: how many of how many. `met` is what [`Tracer::lamps_met`] says.
+/// its samples either: how many of how many. `met` is what [`Tracer::lights_met`] says.
 pub fn unmet(entry: &Entry, scene: &Scene, met: u64) -> [usize; 2] {
     if !entry.finds().is_some_and(|finds| finds.by_chance) {
         return [0, 0];
     }
-    let lamps = (0..scene.lights.len().min(<Tracer>::LAMPS_NOTED as usize))
+    let lamps = (0..scene.lights.len().min(Tracer::LIGHTS_NOTED as usize))
         .filter(|&i| !scene.lights[i].is_delta() && scene.environment_light != Some(i));
     let unmet = lamps.clone().filter(|&i| met & 1 << i == 0);
     [unmet.count(), lamps.count()]

@@ -5,6 +5,7 @@ use super::language::{self, Class, Wanted};
 use super::measure::Setup;
 use crate::notation::Expression;
 use crate::scene::description::{Description, Material};
+use crate::scene::textures::Textured;
 use crate::scene::value::{Albedo, NotNegative};
 use crate::scene::{Effect, Scene, SceneError};
 
@@ -74,7 +75,7 @@ impl Without {
 fn put_out(said: &mut Description) {
     let black = "what does not shine";
     let material = Material::Lambert {
-        albedo: Albedo([0.0; 3]),
+        albedo: Textured::Constant(Albedo([0.0; 3])),
     };
     for object in &mut said.objects {
         object.emits = None;

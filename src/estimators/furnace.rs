@@ -6,12 +6,11 @@
 
 use super::directions::Recipe;
 use super::gather::Gather;
-use super::world::World;
-use super::worlds::{self, Furnace};
+use super::worlds::{self, Furnace, Lit};
+use crate::integrators::world::World;
 use crate::sampling::stream::Stream;
-use crate::space::{Ray, Space};
+use crate::space::Space;
 use crate::stats::Estimate;
-use glam::Vec2;
 
 /// What a surface of `albedo` reflects under a white sky, by `gathers` gathers of `samples`
 /// directions each. The truth is the albedo.
@@ -34,7 +33,7 @@ pub fn open<S: Space>(
     (0..gathers)
         .map(|i| {
             let stream = Stream::new(seed, i, 0);
-            f64::from(gather.reflected(&mut worlds::white::<S>(), &floor, &stream))
+            f64::from(gather.reflected(&mut worlds::white::<S>(), &floor, &stream).r)
         })
         .collect()
 }
@@ -59,7 +58,7 @@ pub fn bounce<S: Space>(
 }
 
 /// Irradiance `∫ L cos θ dω` of a floor under a sky, by `samples` uniform directions.
-pub fn irradiance<S: Space, W: World<S, Light = f32>>(
+pub fn irradiance<S: Space, W: World<S, Point = Lit<S>>>(
     mut sky: W,
     samples: u32,
     seed: u64,
@@ -74,7 +73,7 @@ pub fn irradiance<S: Space, W: World<S, Light = f32>>(
     (0..samples)
         .map(|i| {
             let reflected = gather.reflected(&mut sky, &floor, &Stream::new(seed, i, 0));
-            f64::from(reflected) / f64::from(S::LAMBERT)
+            f64::from(reflected.r) / f64::from(S::LAMBERT)
         })
         .collect()
 }
@@ -100,9 +99,6 @@ fn radiance<S: Space>(recipe: Recipe, albedo: f32, depth: u32, stream: &Stream) 
         depth,
         recipe,
     };
-    let eye = Ray::<S> {
-        origin: S::from_plane(Vec2::ZERO),
-        direction: S::from_plane(Vec2::Y),
-    };
-    f64::from(walk.li(&mut Furnace { albedo }, &eye, stream))
+    let li = walk.li(&mut Furnace::new(albedo), &Furnace::eye::<S>(), stream);
+    f64::from(li.r)
 }

@@ -12,9 +12,12 @@
 //! density, the cosine and the BRDF, of which the essay's formula has none.
 
 use super::directions::{Drawn, Recipe};
-use super::world::{Hit, Light, World};
+use crate::color::Rgb;
+use crate::integrators::Integrator;
+use crate::integrators::world::World;
 use crate::sampling::stream::{Numbers, Purpose, Stream};
-use crate::space::{Ray, Space};
+use crate::scene::Tracer;
+use crate::space::{Ray, Solid, Space};
 
 /// Gathers light over surfaces, `samples` directions at each, `depth` surfaces deep.
 #[derive(Clone, Copy, Debug)]
@@ -29,16 +32,13 @@ pub struct Gather {
 
 impl Gather {
     /// Radiance that arrives along a ray from the eye.
-    pub fn li<S: Space, W: World<S>>(
-        &self,
-        world: &mut W,
-        ray: &Ray<S>,
-        stream: &Stream,
-    ) -> W::Light {
-        match world.first_hit(ray) {
-            // The eye looks straight at lamps, also at those which surfaces aim at.
-            Some(hit) => hit.emission + self.reflected(world, &hit, stream),
-            None => world.environment(ray.direction),
+    pub fn li<S: Space>(&self, world: &mut impl World<S>, ray: &Ray<S>, stream: &Stream) -> Rgb {
+        let hit = world.intersect(ray, 1);
+        // The eye looks straight at lamps, also at those which surfaces aim at.
+        let emitted = world.emitted(ray, hit.as_ref());
+        match hit {
+            Some(hit) => emitted + self.reflected(world, &hit, stream),
+            None => emitted,
         }
     }
 
@@ -46,9 +46,9 @@ impl Gather {
     pub fn reflected<S: Space, W: World<S>>(
         &self,
         world: &mut W,
-        at: &Hit<S, W::Light>,
+        at: &W::Point,
         stream: &Stream,
-    ) -> W::Light {
+    ) -> Rgb {
         self.reflected_at(world, at, 0, self.depth, stream)
     }
 
@@ -63,28 +63,29 @@ impl Gather {
     fn reflected_at<S: Space, W: World<S>>(
         &self,
         world: &mut W,
-        at: &Hit<S, W::Light>,
+        at: &W::Point,
         node: u64,
         levels: u32,
         stream: &Stream,
-    ) -> W::Light {
-        let direct = world.direct(at, stream, node);
+    ) -> Rgb {
+        let direct = irradiance(world, at, node, stream);
+        let surface = world.diffuse(at);
         if levels == 0 {
-            return step7_combine::<S, _>(at.albedo, direct, W::Light::BLACK);
+            return step7_combine::<S>(surface.albedo, direct, Rgb::BLACK);
         }
-        let frame = S::frame(at.n);
+        let frame = S::frame(surface.n);
         let mut sum = [0.0; 3];
         for index in 0..self.samples {
             let child = child(node, self.samples, index);
             let mut numbers = stream.at(child, Purpose::Direction);
             let drawn = step1_direction::<S>(self.recipe, index, self.samples, &mut numbers);
-            let wi = step2_turn::<S>(&frame, drawn.w);
-            let li = self.step3_look(world, &at.spawn(wi), child, levels - 1, stream);
-            let li_cos = step4_cosine::<S, _>(li, drawn.w);
+            let ray = surface.spawn(step2_turn::<S>(&frame, drawn.w));
+            let li = self.step3_look(world, at, &ray, child, levels - 1, stream);
+            let li_cos = step4_cosine::<S>(li, drawn.w);
             step5_add(&mut sum, li_cos, drawn.pdf);
         }
         let indirect = step6_mean(sum, self.samples);
-        step7_combine::<S, _>(at.albedo, direct, indirect)
+        step7_combine::<S>(surface.albedo, direct, indirect)
     }
     // ANCHOR_END: steps
 
@@ -96,18 +97,43 @@ impl Gather {
     fn step3_look<S: Space, W: World<S>>(
         &self,
         world: &mut W,
+        from: &W::Point,
         ray: &Ray<S>,
         node: u64,
         levels: u32,
         stream: &Stream,
-    ) -> W::Light {
-        match world.first_hit(ray) {
-            // A lamp that the surface behind us aims at was counted there.
-            Some(hit) if hit.aimed => self.reflected_at(world, &hit, node, levels, stream),
-            Some(hit) => hit.emission + self.reflected_at(world, &hit, node, levels, stream),
-            None => world.environment(ray.direction),
+    ) -> Rgb {
+        let hit = world.intersect(ray, 2 + self.depth - levels);
+        // A lamp that the surface behind us aims at was counted there.
+        let mut li = Rgb::BLACK;
+        if world.pdf_light(from, ray, hit.as_ref()) == 0.0 {
+            li = world.emitted(ray, hit.as_ref());
+        }
+        match hit {
+            Some(hit) => li + self.reflected_at(world, &hit, node, levels, stream),
+            None => li,
         }
     }
+}
+
+/// Gathering makes pictures, too: of diffuse scenes, cut off at a depth.
+impl Integrator for Gather {
+    fn li(&self, tracer: &mut Tracer, ray: &Ray<Solid>, stream: &Stream) -> Rgb {
+        self.li(tracer, ray, stream)
+    }
+}
+
+/// An estimate of `∫ L cos θ dω` over the lights that can be sampled, by a shadow ray to each.
+fn irradiance<S: Space, W: World<S>>(
+    world: &mut W,
+    at: &W::Point,
+    node: u64,
+    stream: &Stream,
+) -> Rgb {
+    (0..world.lights())
+        .filter_map(|light| world.sample_light(at, light, node, stream))
+        .map(|direct| direct.irradiance * direct.cos)
+        .sum()
 }
 
 /// Step 1: a random direction over the surface, as an angle of the half disk.
@@ -138,7 +164,7 @@ pub fn step2_turn<S: Space>(frame: &S::Frame, w: S::Vector) -> S::Vector {
 ///
 /// Where angles count from the tangent, that is the sine of the sampled angle. It is read off the
 /// local direction here, whatever the angles count from.
-pub fn step4_cosine<S: Space, L: Light>(li: L, w: S::Vector) -> L {
+pub fn step4_cosine<S: Space>(li: Rgb, w: S::Vector) -> Rgb {
     li * S::cos(w)
 }
 
@@ -146,24 +172,24 @@ pub fn step4_cosine<S: Space, L: Light>(li: L, w: S::Vector) -> L {
 ///
 /// The essay adds without dividing. A direction that is drawn often must count little, or the sum
 /// approaches another integral: `∫ Li cos θ p dω`.
-pub fn step5_add<L: Light>(sum: &mut [f64; 3], li_cos: L, pdf: f32) {
+pub fn step5_add(sum: &mut [f64; 3], li_cos: Rgb, pdf: f32) {
     for (sum, channel) in sum.iter_mut().zip(li_cos.channels()) {
-        *sum += channel / f64::from(pdf);
+        *sum += f64::from(channel) / f64::from(pdf);
     }
 }
 
 /// Step 6: divide the sum by the number of samples.
 ///
 /// There are `N` of them, numbered from 0 to `N - 1`; the essay's sum runs to `N`.
-pub fn step6_mean<L: Light>(sum: [f64; 3], count: u32) -> L {
-    L::from_channels(sum.map(|total| total / f64::from(count)))
+pub fn step6_mean(sum: [f64; 3], count: u32) -> Rgb {
+    Rgb::from(sum.map(|total| (total / f64::from(count)) as f32))
 }
 
 /// Step 7: add direct and indirect light, and multiply by what the surface reflects.
 ///
 /// That is the BRDF, albedo times [`Space::LAMBERT`] (1/2 in the flat world, 1/π in space), and it
 /// holds for both terms alike.
-pub fn step7_combine<S: Space, L: Light>(albedo: L, direct: L, indirect: L) -> L {
+pub fn step7_combine<S: Space>(albedo: Rgb, direct: Rgb, indirect: Rgb) -> Rgb {
     albedo * ((direct + indirect) * S::LAMBERT)
 }
 

@@ -2,7 +2,7 @@
 //! cost, with closed forms.
 
 use crate::color::Rgb;
-use crate::materials::{Choice, Mixture, Scattered};
+use crate::materials::{Choice, Mixture, BsdfSample};
 use crate::sampling::stream::{Purpose, Stream};
 use glam::Vec3;
 
@@ -23,7 +23,7 @@ const WO: Vec3 = Vec3::new(0.6, 0.0, 0.8);
 
 impl MixedFurnace {
     /// The ray that a path chooses at its surface numbered `place`; `None` where it is absorbed.
-    pub fn next(&self, place: u64, stream: &Stream) -> Option<Scattered> {
+    pub fn next(&self, place: u64, stream: &Stream) -> Option<BsdfSample> {
         let choice = stream.at(place, Purpose::Branch).one();
         let u = stream.at(place, Purpose::Direction).two();
         self.material.scatter_by(self.choice, WO, choice, u)

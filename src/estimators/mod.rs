@@ -2,7 +2,7 @@
 //!
 //! * [`hit_or_miss`], [`many_dimensions`]: integrals, before there is any light;
 //! * [`directions`], [`gather`]: the light over a surface, in the flat world and in space;
-//! * [`world`], [`worlds`], [`scene_world`]: where the gathering happens;
+//! * [`worlds`]: worlds with known answers, to gather and to walk in;
 //! * [`furnace`]: the reading every right estimator must give;
 //! * [`mixed_furnace`]: the choice of one ray among three, under light from everywhere;
 //! * [`mistakes`], [`doctor`]: what wrong ones read, and how to tell;
@@ -26,11 +26,9 @@ pub mod overhead;
 pub mod pick_one;
 pub mod plane_world;
 pub mod profiles;
-pub mod scene_world;
 pub mod shrinking_lamp;
 pub mod split;
 pub mod survival;
 pub mod two_ways;
 pub mod walks;
-pub mod world;
 pub mod worlds;

@@ -9,7 +9,7 @@
 //! (SIGGRAPH 1995), from whom the bound is.
 
 use crate::flatland::{FlatWorld, gallery};
-use crate::integrators::walkable::Walkable;
+use crate::integrators::world::World;
 use crate::integrators::{Combine, Kajiya, NextEvent};
 use crate::sampling::mis::Heuristic;
 use crate::sampling::stream::Stream;
@@ -50,7 +50,7 @@ pub enum Technique {
 impl Technique {
     /// One walk from the eye to the floor and on to the lamp, by the integrator that uses this
     /// technique.
-    pub fn walk(self, world: &mut impl Walkable<Flat>, stream: &Stream) -> f64 {
+    pub fn walk(self, world: &mut impl World<Flat>, stream: &Stream) -> f64 {
         let eye = Overhead::eye();
         let max_depth = 2;
         let li = match self {
@@ -207,10 +207,7 @@ impl Overhead {
 
     /// A ray from below the lamp to the middle of the floor.
     pub fn eye() -> Ray<Flat> {
-        Ray {
-            origin: Vec2::new(0.0, 0.5),
-            direction: Vec2::NEG_Y,
-        }
+        Ray::new(Vec2::new(0.0, 0.5), Vec2::NEG_Y)
     }
 }
 

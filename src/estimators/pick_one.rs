@@ -9,9 +9,8 @@
 //! 15(1), 1996).
 
 use crate::color::Rgb;
-use crate::geometry;
 use crate::integrators::Integrator;
-use crate::integrators::walkable::Walkable;
+use crate::integrators::world::World;
 use crate::sampling::discrete::Discrete;
 use crate::sampling::stream::{Purpose, Stream};
 use crate::scene::Tracer;
@@ -29,18 +28,18 @@ pub struct PickOne {
 impl PickOne {
     // ANCHOR: pick_one
     /// The light of one lamp, for that of all.
-    fn ask_one<S: Space, W: Walkable<S>>(
+    fn ask_one<S: Space, W: World<S>>(
         &self,
         world: &mut W,
         at: &W::Point,
-        place: u64,
+        vertex: u64,
         stream: &Stream,
     ) -> Rgb {
         // The lamps' own numbers are those of their places in the list; this is the next one.
-        let mut numbers = stream.at_item(place, Purpose::LightPoint, world.lamps() as u32);
+        let mut numbers = stream.at_item(vertex, Purpose::LightPoint, world.lights() as u32);
         let chosen = self.choice.sample(numbers.fine());
-        match world.aim(at, chosen.index, place, stream) {
-            Some(aimed) => aimed.light * (1.0 / chosen.probability),
+        match world.sample_light(at, chosen.index, vertex, stream) {
+            Some(direct) => direct.scattered() * (1.0 / chosen.probability),
             None => Rgb::BLACK,
         }
     }
@@ -49,7 +48,7 @@ impl PickOne {
     /// One estimate of the radiance along a ray from the eye.
     pub fn walk<S: Space>(
         &self,
-        world: &mut impl Walkable<S>,
+        world: &mut impl World<S>,
         ray: &Ray<S>,
         stream: &Stream,
     ) -> Rgb {
@@ -58,18 +57,18 @@ impl PickOne {
         let mut ray = *ray;
         let mut asked = None;
         for depth in 1..=self.max_depth {
-            let met = world.follow(&ray, depth);
-            let was_asked = |from| world.pdf_aim(&from, &ray, met.as_ref()) > 0.0;
-            if !asked.is_some_and(was_asked) {
-                li += beta * world.arriving(&ray, met.as_ref());
+            let hit = world.intersect(&ray, depth);
+            let was_sampled = |from| world.pdf_light(&from, &ray, hit.as_ref()) > 0.0;
+            if !asked.is_some_and(was_sampled) {
+                li += beta * world.emitted(&ray, hit.as_ref());
             }
-            let Some(here) = met else { break };
+            let Some(here) = hit else { break };
             if depth == self.max_depth {
                 break;
             }
-            let place = u64::from(depth);
-            li += beta * self.ask_one(world, &here, place, stream);
-            let Some(step) = world.scatter(&here, place, stream) else {
+            let vertex = u64::from(depth);
+            li += beta * self.ask_one(world, &here, vertex, stream);
+            let Some(step) = world.sample_bsdf(&here, vertex, stream) else {
                 break;
             };
             asked = step.pdf.map(|_| here);
@@ -81,7 +80,7 @@ impl PickOne {
 }
 
 impl Integrator for PickOne {
-    fn li(&self, tracer: &mut Tracer, ray: &geometry::Ray, stream: &Stream) -> Rgb {
-        self.walk::<Solid>(tracer, &ray.into(), stream)
+    fn li(&self, tracer: &mut Tracer, ray: &Ray<Solid>, stream: &Stream) -> Rgb {
+        self.walk::<Solid>(tracer, ray, stream)
     }
 }

@@ -7,10 +7,9 @@
 use super::directions::Recipe;
 use super::gather::Gather;
 use super::walks::{self, Walks};
-use super::world::World;
-use super::worlds;
-use crate::color::Rgb;
+use super::worlds::{self, Lit};
 use crate::flatland;
+use crate::integrators::world::World;
 use crate::integrators::{Kajiya, NextEvent};
 use crate::scene::read::Source;
 use crate::scene::{SceneError, gallery};
@@ -49,10 +48,7 @@ pub fn flat(
     );
     let world = flatland::gallery::from_text(source(&text))?;
     // To the middle of the floor, past the lamp.
-    let ray = Ray::<Flat> {
-        origin: Vec2::new(-0.5, 0.25),
-        direction: Vec2::new(2.0, -1.0).normalize(),
-    };
+    let ray = Ray::<Flat>::new(Vec2::new(-0.5, 0.25), Vec2::new(2.0, -1.0).normalize());
     let max_depth = MAX_DEPTH;
     Ok(match technique {
         Technique::Uniform => {
@@ -108,7 +104,7 @@ fn source(text: &str) -> Source<'_> {
 }
 
 /// Walks of one uniform direction; the ray from the eye is counted as if there were one.
-fn uniform<S: Space, W: World<S, Light = f32>>(
+fn uniform<S: Space, W: World<S, Point = Lit<S>>>(
     world: impl Fn() -> W + Sync,
     truth: f64,
     count: u32,
@@ -122,7 +118,7 @@ fn uniform<S: Space, W: World<S, Light = f32>>(
     let floor = worlds::floor::<S>(1.0);
     walks::many(truth, count, seed, |stream| {
         let li = gather.reflected(&mut world(), &floor, stream);
-        (Rgb::grey(li), 2)
+        (li, 2)
     })
 }
 

@@ -8,9 +8,8 @@
 //! Source: Arvo, Kirk, Particle Transport and Image Synthesis (SIGGRAPH 1990), for splitting.
 
 use crate::color::Rgb;
-use crate::geometry;
 use crate::integrators::Integrator;
-use crate::integrators::walkable::{Walkable, ask_all};
+use crate::integrators::world::{World, next_event};
 use crate::sampling::stream::Stream;
 use crate::scene::Tracer;
 use crate::space::{Ray, Solid, Space};
@@ -29,20 +28,20 @@ impl Split {
     /// One estimate of the radiance along a ray from the eye.
     pub fn walk<S: Space>(
         &self,
-        world: &mut impl Walkable<S>,
+        world: &mut impl World<S>,
         ray: &Ray<S>,
         stream: &Stream,
     ) -> Rgb {
-        let met = world.follow(ray, 1);
-        let li = world.arriving(ray, met.as_ref());
-        let Some(first) = met else { return li };
-        let paths = (0..self.paths).map(|path| self.path_from(world, first, path, stream));
+        let hit = world.intersect(ray, 1);
+        let li = world.emitted(ray, hit.as_ref());
+        let Some(first) = hit else { return li };
+        let paths = (0..self.paths).map(|path| self.path_from(world, first.clone(), path, stream));
         li + paths.sum::<Rgb>() * (1.0 / self.paths as f32)
     }
     // ANCHOR_END: split
 
     /// What one path brings to the first surface and on to the eye.
-    fn path_from<S: Space, W: Walkable<S>>(
+    fn path_from<S: Space, W: World<S>>(
         &self,
         world: &mut W,
         first: W::Point,
@@ -54,18 +53,18 @@ impl Split {
         let mut here = first;
         for depth in 2..=self.max_depth {
             // As in a walk, the places of one path are 1, 2, 3 ...; those of the next come after.
-            let place = u64::from(path) * u64::from(self.max_depth) + u64::from(depth) - 1;
-            li += beta * ask_all(world, &here, place, stream);
-            let Some(step) = world.scatter(&here, place, stream) else {
+            let vertex = u64::from(path) * u64::from(self.max_depth) + u64::from(depth) - 1;
+            li += beta * next_event(world, &here, vertex, stream);
+            let Some(step) = world.sample_bsdf(&here, vertex, stream) else {
                 break;
             };
             beta *= step.weight;
-            let met = world.follow(&step.ray, depth);
-            let asked = step.pdf.is_some() && world.pdf_aim(&here, &step.ray, met.as_ref()) > 0.0;
+            let hit = world.intersect(&step.ray, depth);
+            let asked = step.pdf.is_some() && world.pdf_light(&here, &step.ray, hit.as_ref()) > 0.0;
             if !asked {
-                li += beta * world.arriving(&step.ray, met.as_ref());
+                li += beta * world.emitted(&step.ray, hit.as_ref());
             }
-            let Some(next) = met else { break };
+            let Some(next) = hit else { break };
             here = next;
         }
         li
@@ -73,7 +72,7 @@ impl Split {
 }
 
 impl Integrator for Split {
-    fn li(&self, tracer: &mut Tracer, ray: &geometry::Ray, stream: &Stream) -> Rgb {
-        self.walk::<Solid>(tracer, &ray.into(), stream)
+    fn li(&self, tracer: &mut Tracer, ray: &Ray<Solid>, stream: &Stream) -> Rgb {
+        self.walk::<Solid>(tracer, ray, stream)
     }
 }

@@ -5,12 +5,6 @@
 //! with probability `qᴷ (1 - q)`. The mean of `S` is `1 / (1 - ρ)` for every `q`; its variance is
 //! not the same for every `q`, nor finite for every `q`.
 
-use crate::color::Rgb;
-use crate::integrators::walkable::{Aimed, Step, Walkable};
-use crate::sampling::stream::Stream;
-use crate::space::{Ray, Space};
-use glam::Vec2;
-
 /// Roulette with a constant survival in a furnace.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Game {
@@ -75,66 +69,6 @@ impl Game {
     /// The mean of walks of which none may be worth more than `most`.
     pub fn clamped(&self, most: f64) -> f64 {
         self.mean_of(10_000, |value| value.min(most))
-    }
-}
-
-/// A closed furnace without shapes to walk in: whatever the ray, it meets a wall of radiance 1.
-#[derive(Clone, Copy, Debug)]
-pub struct Furnace {
-    /// The share of light the walls reflect.
-    pub albedo: Rgb,
-    /// Rays so far.
-    pub rays: u64,
-}
-
-impl Furnace {
-    /// The furnace, with no ray followed.
-    pub fn new(albedo: f32) -> Self {
-        Furnace {
-            albedo: Rgb::grey(albedo),
-            rays: 0,
-        }
-    }
-
-    /// Any ray will do.
-    pub fn eye<S: Space>() -> Ray<S> {
-        Ray {
-            origin: S::from_plane(Vec2::ZERO),
-            direction: S::from_plane(Vec2::Y),
-        }
-    }
-}
-
-impl<S: Space> Walkable<S> for Furnace {
-    type Point = ();
-
-    fn follow(&mut self, _: &Ray<S>, _: u32) -> Option<()> {
-        self.rays += 1;
-        Some(())
-    }
-
-    fn arriving(&self, _: &Ray<S>, _: Option<&()>) -> Rgb {
-        Rgb::WHITE
-    }
-
-    fn scatter(&self, (): &(), _: u64, _: &Stream) -> Option<Step<S>> {
-        Some(Step {
-            ray: Furnace::eye(),
-            weight: self.albedo,
-            pdf: None,
-        })
-    }
-
-    fn lamps(&self) -> usize {
-        0
-    }
-
-    fn aim(&mut self, (): &(), _: usize, _: u64, _: &Stream) -> Option<Aimed> {
-        None
-    }
-
-    fn pdf_aim(&self, (): &(), _: &Ray<S>, _: Option<&()>) -> f32 {
-        0.0
     }
 }
 

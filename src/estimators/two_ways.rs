@@ -13,7 +13,7 @@ use crate::render::{Film, Pixel};
 use crate::sampling::frame::Frame;
 use crate::sampling::stream::{Purpose, Stream};
 use crate::sampling::{hemisphere, warps};
-use crate::scene::{Hit, Scene, SceneError, Tracer};
+use crate::scene::{Interaction, Scene, SceneError, Tracer};
 use crate::stats::Estimate;
 use rayon::prelude::*;
 use std::f32::consts::PI;
@@ -82,15 +82,13 @@ impl<'a> TwoWays<'a> {
                 }
                 // Missed the eye: the ray scatters once, and hopes again.
                 let hit = hit?;
-                let frame = Frame::new(hit.surface.n);
-                let wo = frame.to_local(-direction);
                 let stream = Stream::new(seed, index, 0);
                 let choice = stream.at(bounce, Purpose::Branch).one();
                 let u = stream.at(bounce, Purpose::Direction).two();
-                let next = hit.object.material?.scatter(wo, choice, u)?;
+                let next = hit.bsdf?.scatter(hit.wo, choice, u)?;
                 beta *= next.weight;
                 surface = hit.surface;
-                direction = frame.to_world(next.wi);
+                direction = hit.frame.to_world(next.wi);
             }
             None
         })
@@ -109,7 +107,7 @@ impl<'a> TwoWays<'a> {
                 let stream = Stream::new(seed, index, sample);
                 let ray = self.through_pupil(index, &stream);
                 let li = match tracer.camera_ray(&ray) {
-                    Some(hit) => hit.emitted(-ray.direction) + self.towards(&ray, &hit, &stream),
+                    Some(hit) => hit.emission + self.towards(&hit, &stream),
                     None => Rgb::BLACK,
                 };
                 pixel.add(li);
@@ -139,21 +137,18 @@ impl<'a> TwoWays<'a> {
         )
     }
 
-    /// The light of the lamp that `hit` scatters back along `ray`.
-    fn towards(&self, ray: &Ray, hit: &Hit, stream: &Stream) -> Rgb {
+    /// The light of the lamp that a surface scatters back.
+    fn towards(&self, hit: &Interaction, stream: &Stream) -> Rgb {
         let u = stream.at(0, Purpose::LightPoint).two();
-        let (Some(material), Some(sample)) =
-            (hit.object.material, self.lamp.sample(&hit.surface, u))
-        else {
+        let (Some(bsdf), Some(sample)) = (hit.bsdf, self.lamp.sample(&hit.surface, u)) else {
             return Rgb::BLACK;
         };
-        let frame = Frame::new(hit.surface.n);
-        let (wo, wi) = (frame.to_local(-ray.direction), frame.to_local(sample.wi));
-        material.f(wo, wi) * sample.incident.facing_irradiance() * wi.z.abs()
+        let wi = hit.frame.to_local(sample.wi);
+        bsdf.f(hit.wo, wi) * sample.incident.facing_irradiance() * wi.z.abs()
     }
 
     /// Where and with what weight a ray from the light enters the pupil, if nothing stands before.
-    fn enters(&self, ray: &Ray, hit: Option<&Hit>) -> Option<Arrival> {
+    fn enters(&self, ray: &Ray, hit: Option<&Interaction>) -> Option<Arrival> {
         let camera = &self.scene.camera;
         let cos = -ray.direction.dot(camera.forward());
         let t = ray.origin.dot(camera.forward()) / cos;

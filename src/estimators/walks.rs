@@ -4,7 +4,7 @@ use crate::color::Rgb;
 use crate::flatland::FlatWorld;
 use crate::geometry::Ray;
 use crate::integrators::Integrator;
-use crate::integrators::walkable::FlatWalk;
+use crate::integrators::world::FlatTracer;
 use crate::sampling::stream::Stream;
 use crate::scene::{Scene, Tracer};
 use crate::stats::Estimate;
@@ -77,10 +77,10 @@ pub fn flat(
     truth: f64,
     count: u32,
     seed: u64,
-    walk: impl Fn(&mut FlatWalk, &Stream) -> Rgb + Sync,
+    walk: impl Fn(&mut FlatTracer, &Stream) -> Rgb + Sync,
 ) -> Walks {
     many(truth, count, seed, |stream| {
-        let mut world = FlatWalk::new(world);
+        let mut world = FlatTracer::new(world);
         let li = walk(&mut world, stream);
         (li, world.rays)
     })

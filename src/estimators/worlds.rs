@@ -2,22 +2,68 @@
 //!
 //! The surface that is asked lies at the origin and looks up, along `y`.
 
-use super::world::{Hit, World};
+use crate::color::Rgb;
+use crate::integrators::world::{Diffuse, Step, World};
+use crate::materials::Event;
 use crate::numeric;
+use crate::sampling::stream::{Purpose, Stream};
 use crate::space::{Ray, Space};
 use glam::Vec2;
 
-/// The point of a floor that looks up at the world.
-pub fn floor<S: Space>(albedo: f32) -> Hit<S, f32> {
-    let zero = S::from_plane(Vec2::ZERO);
-    Hit {
-        p: zero,
-        error: zero,
-        n: S::from_plane(Vec2::Y),
-        albedo,
-        emission: 0.0,
-        aimed: false,
+/// A point of a diffuse surface that may glow.
+#[derive(Clone, Copy, Debug)]
+pub struct Lit<S: Space> {
+    /// The surface.
+    pub surface: Diffuse<S>,
+    /// Radiance that it emits towards the ray by itself.
+    pub emission: Rgb,
+}
+
+impl<S: Space> Lit<S> {
+    /// How a path goes on: by the cosine.
+    pub fn sample(&self, vertex: u64, stream: &Stream) -> Step<S> {
+        let mut numbers = stream.at(vertex, Purpose::Direction);
+        let local = S::sample_cosine(S::uniforms(&mut numbers));
+        let direction = S::to_world(&S::frame(self.surface.n), local);
+        Step {
+            ray: self.surface.spawn(direction),
+            weight: self.surface.albedo,
+            bsdf_weight: self.surface.albedo,
+            pdf: Some(S::pdf_cosine(local)),
+            event: Event::Diffuse,
+            left: numbers.one(),
+        }
     }
+}
+
+/// The point of a grey floor that looks up at the world.
+pub fn floor<S: Space>(albedo: f32) -> Lit<S> {
+    let zero = S::from_plane(Vec2::ZERO);
+    Lit {
+        surface: Diffuse {
+            p: zero,
+            error: zero,
+            n: S::from_plane(Vec2::Y),
+            time: 0.0,
+            albedo: Rgb::grey(albedo),
+        },
+        emission: Rgb::BLACK,
+    }
+}
+
+/// What worlds of [`Lit`] points have in common.
+macro_rules! lit {
+    ($S:ident) => {
+        type Point = Lit<$S>;
+
+        fn diffuse(&self, at: &Lit<$S>) -> Diffuse<$S> {
+            at.surface
+        }
+
+        fn sample_bsdf(&self, at: &Lit<$S>, vertex: u64, stream: &Stream) -> Option<Step<$S>> {
+            Some(at.sample(vertex, stream))
+        }
+    };
 }
 
 /// Nothing but a surrounding, whose radiance is a function of the direction.
@@ -25,14 +71,14 @@ pub fn floor<S: Space>(albedo: f32) -> Hit<S, f32> {
 pub struct Sky<F>(pub F);
 
 impl<S: Space, F: Fn(S::Vector) -> f32> World<S> for Sky<F> {
-    type Light = f32;
+    lit!(S);
 
-    fn first_hit(&mut self, _: &Ray<S>) -> Option<Hit<S, f32>> {
+    fn intersect(&mut self, _: &Ray<S>, _: u32) -> Option<Lit<S>> {
         None
     }
 
-    fn environment(&self, direction: S::Vector) -> f32 {
-        (self.0)(direction)
+    fn emitted(&self, ray: &Ray<S>, hit: Option<&Lit<S>>) -> Rgb {
+        hit.map_or_else(|| Rgb::grey((self.0)(ray.direction)), |hit| hit.emission)
     }
 }
 
@@ -72,26 +118,42 @@ pub fn ball<S: Space>(sin_radius: f32, angle: f32) -> Sky<impl Fn(S::Vector) -> 
 pub struct Furnace {
     /// The share of light the walls reflect.
     pub albedo: f32,
+    /// Rays so far.
+    pub rays: u64,
 }
 
 impl<S: Space> World<S> for Furnace {
-    type Light = f32;
+    lit!(S);
 
-    fn first_hit(&mut self, ray: &Ray<S>) -> Option<Hit<S, f32>> {
+    fn intersect(&mut self, ray: &Ray<S>, _: u32) -> Option<Lit<S>> {
+        self.rays += 1;
         // Which way the wall leans is of no account where all walls are alike.
-        Some(Hit {
-            n: -ray.direction,
-            emission: 1.0,
-            ..floor(self.albedo)
+        let Lit { surface, .. } = floor(self.albedo);
+        Some(Lit {
+            surface: Diffuse {
+                n: -ray.direction,
+                ..surface
+            },
+            emission: Rgb::WHITE,
         })
     }
 
-    fn environment(&self, _: S::Vector) -> f32 {
-        0.0
+    fn emitted(&self, _: &Ray<S>, hit: Option<&Lit<S>>) -> Rgb {
+        hit.map_or(Rgb::BLACK, |hit| hit.emission)
     }
 }
 
 impl Furnace {
+    /// The furnace, with no ray traced.
+    pub fn new(albedo: f32) -> Self {
+        Furnace { albedo, rays: 0 }
+    }
+
+    /// A ray from the eye: any will do.
+    pub fn eye<S: Space>() -> Ray<S> {
+        Ray::new(S::from_plane(Vec2::ZERO), S::from_plane(Vec2::Y))
+    }
+
     /// Radiance with at most `depth` bounces: `1 + albedo + ... + albedo^depth`.
     pub fn radiance(&self, depth: u32) -> f64 {
         (0..depth).fold(1.0, |sum, _| 1.0 + f64::from(self.albedo) * sum)
@@ -108,24 +170,27 @@ pub struct Plates {
 }
 
 impl<S: Space> World<S> for Plates {
-    type Light = f32;
+    lit!(S);
 
-    fn first_hit(&mut self, ray: &Ray<S>) -> Option<Hit<S, f32>> {
+    fn intersect(&mut self, ray: &Ray<S>, _: u32) -> Option<Lit<S>> {
         let slope = S::to_plane(ray.direction).y;
         let upper = slope > 0.0;
         let t = (f32::from(u8::from(upper)) - S::to_plane(ray.origin).y) / slope;
         // All points of a plate are alike: the hit keeps its height and moves back to the middle,
         // so that long runs between the plates lose no digits.
-        (slope != 0.0 && t > 0.0).then(|| Hit {
-            p: S::from_plane(Vec2::new(0.0, f32::from(u8::from(upper)))),
-            n: S::from_plane(if upper { Vec2::NEG_Y } else { Vec2::Y }),
-            emission: self.emission[usize::from(upper)],
-            ..floor(self.albedo[usize::from(upper)])
+        let Lit { surface, .. } = floor(self.albedo[usize::from(upper)]);
+        (slope != 0.0 && t > 0.0).then(|| Lit {
+            surface: Diffuse {
+                p: S::from_plane(Vec2::new(0.0, f32::from(u8::from(upper)))),
+                n: S::from_plane(if upper { Vec2::NEG_Y } else { Vec2::Y }),
+                ..surface
+            },
+            emission: Rgb::grey(self.emission[usize::from(upper)]),
         })
     }
 
-    fn environment(&self, _: S::Vector) -> f32 {
-        0.0
+    fn emitted(&self, _: &Ray<S>, hit: Option<&Lit<S>>) -> Rgb {
+        hit.map_or(Rgb::BLACK, |hit| hit.emission)
     }
 }
 

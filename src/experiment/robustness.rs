@@ -130,7 +130,8 @@ fn offset(rays: &[Ray]) -> Pair {
     let leaving = |r: &Ray| {
         let (p, n) = (r.origin, r.origin.normalize());
         let error = p.abs() * gamma(7);
-        (Surface { p, error, n }, r.direction)
+        let time = 0.0;
+        (Surface { p, error, n, time }, r.direction)
     };
     let given: Vec<(Surface, Vec3)> = rays.iter().map(leaving).collect();
     let distance = black_box(1e-3);

@@ -3,10 +3,8 @@
 use super::flat;
 use crate::chart::{Dot, RayDrawing, Stroke, StrokeKind};
 use crate::color::Rgb;
-use crate::estimators::plane_world::PlaneWorld;
-use crate::estimators::world::{Hit, World};
-use crate::flatland::FlatWorld;
-use crate::integrators::walkable::{Aimed, FlatPoint, FlatWalk, Step, Walkable};
+use crate::flatland::{FlatHit, FlatWorld};
+use crate::integrators::world::{Diffuse, DirectLight, FlatTracer, Lights, Step, World};
 use crate::sampling::stream::{Purpose, Stream};
 use crate::space::{Flat, Ray};
 use glam::Vec2;
@@ -14,17 +12,17 @@ use glam::Vec2;
 /// A flat world that draws what it is asked.
 #[derive(Clone, Debug)]
 pub struct Watched<'a> {
-    world: FlatWalk<'a>,
+    world: FlatTracer<'a>,
     drawing: RayDrawing,
     /// Each ray from its beginning to its end, in the order in which they were followed.
     pub rays: Vec<[Vec2; 2]>,
 }
 
 impl<'a> Watched<'a> {
-    /// The world's walls and lamps, and no rays.
-    pub fn new(world: &'a FlatWorld) -> Self {
+    /// The world's walls and lamps, and no rays; these lights are sampled.
+    pub fn new(world: &'a FlatWorld, lights: Lights) -> Self {
         Watched {
-            world: FlatWalk::new(world),
+            world: FlatTracer::sampling(world, lights),
             drawing: flat::world(world),
             rays: Vec::new(),
         }
@@ -52,44 +50,48 @@ impl<'a> Watched<'a> {
     }
 
     /// Where a ray ends, or a point out of sight.
-    fn draw(&mut self, ray: &Ray<Flat>, met: Option<Vec2>) {
+    fn draw(&mut self, ray: &Ray<Flat>, hit: Option<Vec2>) {
         let far = ray.origin
             + ray.direction * (2.0 * self.world.world.window.size().as_vec2().element_sum());
-        self.rays.push([ray.origin, met.unwrap_or(far)]);
+        self.rays.push([ray.origin, hit.unwrap_or(far)]);
     }
 }
 
-impl Walkable<Flat> for Watched<'_> {
-    type Point = FlatPoint;
+impl World<Flat> for Watched<'_> {
+    type Point = FlatHit;
 
-    fn follow(&mut self, ray: &Ray<Flat>, segment: u32) -> Option<FlatPoint> {
-        let met = self.world.follow(ray, segment);
-        self.draw(ray, met.map(|at| at.hit.surface.p));
-        met
+    fn intersect(&mut self, ray: &Ray<Flat>, segment: u32) -> Option<FlatHit> {
+        let hit = self.world.intersect(ray, segment);
+        self.draw(ray, hit.map(|at| at.surface.p));
+        hit
     }
 
-    fn arriving(&self, ray: &Ray<Flat>, met: Option<&FlatPoint>) -> Rgb {
-        self.world.arriving(ray, met)
+    fn emitted(&self, ray: &Ray<Flat>, hit: Option<&FlatHit>) -> Rgb {
+        self.world.emitted(ray, hit)
     }
 
-    fn scatter(&self, at: &FlatPoint, place: u64, stream: &Stream) -> Option<Step<Flat>> {
-        self.world.scatter(at, place, stream)
+    fn diffuse(&self, at: &FlatHit) -> Diffuse<Flat> {
+        self.world.diffuse(at)
     }
 
-    fn lamps(&self) -> usize {
-        self.world.lamps()
+    fn sample_bsdf(&self, at: &FlatHit, vertex: u64, stream: &Stream) -> Option<Step<Flat>> {
+        self.world.sample_bsdf(at, vertex, stream)
     }
 
-    fn aim(&mut self, at: &FlatPoint, lamp: usize, place: u64, stream: &Stream) -> Option<Aimed> {
+    fn lights(&self) -> usize {
+        self.world.lights()
+    }
+
+    fn sample_light(&mut self, at: &FlatHit, lamp: usize, vertex: u64, stream: &Stream) -> Option<DirectLight> {
         let before = self.world.rays;
-        let aimed = self.world.aim(at, lamp, place, stream);
+        let aimed = self.world.sample_light(at, lamp, vertex, stream);
         // A shadow ray was sent: to the point that these numbers give.
         if self.world.rays > before {
-            let (world, p) = (self.world.world, at.hit.surface.p);
+            let (world, p) = (self.world.world, at.surface.p);
             let to = match world.lamps.get(lamp) {
                 Some(point) => Some(point.position),
                 None => {
-                    let numbers = stream.at_item(place, Purpose::LightPoint, lamp as u32);
+                    let numbers = stream.at_item(vertex, Purpose::LightPoint, lamp as u32);
                     let glowing = &world.glowing()[lamp - world.lamps.len()];
                     let drawn = glowing.sample(p, numbers.clone().one());
                     drawn.map(|drawn| drawn.surface.p)
@@ -105,23 +107,8 @@ impl Walkable<Flat> for Watched<'_> {
         aimed
     }
 
-    fn pdf_aim(&self, from: &FlatPoint, ray: &Ray<Flat>, met: Option<&FlatPoint>) -> f32 {
-        self.world.pdf_aim(from, ray, met)
-    }
-}
-
-/// Trees of rays are drawn, too; their lines to lamps are not.
-impl World<Flat> for Watched<'_> {
-    type Light = Rgb;
-
-    fn first_hit(&mut self, ray: &Ray<Flat>) -> Option<Hit<Flat, Rgb>> {
-        let met = PlaneWorld(self.world.world).first_hit(ray);
-        self.draw(ray, met.map(|hit| hit.p));
-        met
-    }
-
-    fn environment(&self, direction: Vec2) -> Rgb {
-        PlaneWorld(self.world.world).environment(direction)
+    fn pdf_light(&self, from: &FlatHit, ray: &Ray<Flat>, hit: Option<&FlatHit>) -> f32 {
+        self.world.pdf_light(from, ray, hit)
     }
 }
 
@@ -138,13 +125,10 @@ mod tests {
     #[test]
     fn a_walk_is_drawn_ray_by_ray_and_is_the_same_walk() {
         let room = flatland::load("room").expect("a world");
-        let eye = Ray {
-            origin: Vec2::new(0.4, 0.6),
-            direction: Vec2::new(0.6, -0.8),
-        };
+        let eye = Ray::new(Vec2::new(0.4, 0.6), Vec2::new(0.6, -0.8));
         for i in 0..40 {
             let (walk, stream) = (NextEvent { max_depth: 5 }, Stream::new(3, i, 0));
-            let (mut watched, mut plain) = (Watched::new(&room), FlatWalk::new(&room));
+            let (mut watched, mut plain) = (Watched::new(&room, Lights::All), FlatTracer::new(&room));
             let seen = walk.walk(&mut watched, &eye, &stream);
             assert_eq!(seen, walk.walk(&mut plain, &eye, &stream));
             assert_eq!(watched.rays.len(), 5, "a closed room");

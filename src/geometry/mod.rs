@@ -16,7 +16,7 @@ mod surface;
 mod triangle;
 
 pub use aabb::Aabb;
-pub use bvh::{Bvh, Found, brute_force, brute_force_at};
+pub use bvh::{Bvh, Found, brute_force};
 pub use mesh::{Mesh, TriangleCount};
 pub use moving::Moving;
 pub use polygon::{Polygons, Triangulation};
@@ -103,23 +103,17 @@ impl Shape {
 }
 
 /// What a [`Bvh`] can hold: a shape, or one that moves.
-pub trait Primitive: Copy {
+pub trait Primitive: Clone {
     /// A box that holds it at all times.
     fn bounds(&self) -> Aabb;
 
-    /// The first crossing with `0 < t <= t_max` at `time`, in `[0, 1]`; never nearer than the box.
-    fn cross_at(&self, ray: &PreparedRay, time: f32, t_max: f32) -> Option<Crossing>;
+    /// The first crossing with `0 < t <= t_max`; never nearer than the box.
+    fn cross(&self, ray: &PreparedRay, t_max: f32) -> Option<Crossing>;
 
-    /// The same of a ray of which is known that it enters the box at `entry`.
+    /// The same for a ray known to enter the box at `entry`.
     #[inline(always)]
-    fn cross_after(
-        &self,
-        ray: &PreparedRay,
-        time: f32,
-        t_max: f32,
-        _entry: f32,
-    ) -> Option<Crossing> {
-        self.cross_at(ray, time, t_max)
+    fn cross_after(&self, ray: &PreparedRay, t_max: f32, _entry: f32) -> Option<Crossing> {
+        self.cross(ray, t_max)
     }
 
     /// The triangle it is at all times; of these the tree looks at eight at once.
@@ -133,12 +127,12 @@ impl Primitive for Shape {
         Shape::bounds(self)
     }
 
-    fn cross_at(&self, ray: &PreparedRay, _: f32, t_max: f32) -> Option<Crossing> {
-        self.cross(ray, t_max)
+    fn cross(&self, ray: &PreparedRay, t_max: f32) -> Option<Crossing> {
+        Shape::cross(self, ray, t_max)
     }
 
     #[inline(always)]
-    fn cross_after(&self, ray: &PreparedRay, _: f32, t_max: f32, entry: f32) -> Option<Crossing> {
+    fn cross_after(&self, ray: &PreparedRay, t_max: f32, entry: f32) -> Option<Crossing> {
         match self {
             Shape::Sphere(s) => s.cross(ray, t_max),
             Shape::Quad(q) => q.cross_after(ray, t_max, entry),

@@ -30,20 +30,15 @@ impl Moving {
         self.shape.moved(self.motion * time)
     }
 
-    /// The first crossing with `0 < t <= t_max` at `time`, in `[0, 1]`.
-    pub fn cross(&self, ray: &PreparedRay, time: f32, t_max: f32) -> Option<Crossing> {
-        self.at(time).cross(ray, t_max)
-    }
-
-    /// The surface at a crossing with this ray at this time.
+    /// The surface at an intersection with this ray.
     ///
     /// A moved sphere or triangle is exactly one again. The four corners of a quad are rounded
     /// anew, which bends it: its error grows by that.
-    pub fn surface(&self, ray: &Ray, time: f32, crossing: Crossing) -> Surface {
-        let there = self.at(time);
+    pub fn surface(&self, ray: &Ray, crossing: Crossing) -> Surface {
+        let there = self.at(ray.time);
         let mut surface = there.surface(ray, crossing);
         if let (Shape::Quad(before), Shape::Quad(moved)) = (&self.shape, &there)
-            && self.motion * time != Vec3::ZERO
+            && self.motion * ray.time != Vec3::ZERO
         {
             surface.error += before.bend(moved);
         }
@@ -65,7 +60,7 @@ impl Primitive for Moving {
     }
 
     #[inline]
-    fn cross_at(&self, ray: &PreparedRay, time: f32, t_max: f32) -> Option<Crossing> {
-        self.cross(ray, time, t_max)
+    fn cross(&self, ray: &PreparedRay, t_max: f32) -> Option<Crossing> {
+        self.at(ray.time).cross(ray, t_max)
     }
 }

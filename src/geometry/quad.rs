@@ -158,6 +158,7 @@ impl Quad {
             p: Vec3::from(self.corners.map(at)),
             error: self.error,
             n: self.normal,
+            time: 0.0,
         }
     }
 

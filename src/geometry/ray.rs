@@ -1,34 +1,13 @@
 //! A ray, and a ray made ready for many tests.
 
+use crate::space::{self, Solid};
 use glam::{Vec3, Vec3A};
 
-/// A half line from `origin`, as far as `t_max`.
-#[derive(Clone, Copy, Debug)]
-pub struct Ray {
-    /// Where it starts.
-    pub origin: Vec3,
-    /// Where it goes; distances along it count in units of this vector's length.
-    pub direction: Vec3,
-    /// How far it reaches; infinite for all but shadow rays.
-    pub t_max: f32,
-}
+/// A ray of the world with three dimensions.
+pub type Ray = space::Ray<Solid>;
 
 impl Ray {
-    /// A ray without end.
-    pub fn new(origin: Vec3, direction: Vec3) -> Self {
-        Ray {
-            origin,
-            direction,
-            t_max: f32::INFINITY,
-        }
-    }
-
-    /// The point at distance `t`.
-    pub fn at(&self, t: f32) -> Vec3 {
-        self.origin + self.direction * t
-    }
-
-    /// How far a crossing may be: a number, where `t_max` may be infinite.
+    /// How far an intersection may be: a number, where `t_max` may be infinite.
     pub(super) fn reach(&self) -> f32 {
         self.t_max.min(f32::MAX)
     }
@@ -51,6 +30,8 @@ pub struct PreparedRay {
     pub(super) axes: [usize; 3],
     /// The shears along x' and y' that make the ray run straight along z'.
     pub(super) shear: [f32; 2],
+    /// When it looks, in `[0, 1]`.
+    pub(super) time: f32,
 }
 
 /// For each axis that a ray runs along, forwards and backwards, the two others: in the order that
@@ -80,6 +61,7 @@ impl From<&Ray> for PreparedRay {
             inverse: inverse.into(),
             axes: [x, y, z],
             shear: [d[x] / d[z], d[y] / d[z]],
+            time: ray.time,
         }
     }
 }

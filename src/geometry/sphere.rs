@@ -81,6 +81,7 @@ impl Sphere {
             } else {
                 n.as_vec3()
             },
+            time: 0.0,
         }
     }
 

@@ -15,6 +15,8 @@ pub struct Surface {
     pub error: Vec3,
     /// Geometric unit normal on the shape's front side.
     pub n: Vec3,
+    /// The moment at which the point is there, in `[0, 1]`; rays that leave it look at that moment.
+    pub time: f32,
 }
 
 impl Surface {
@@ -34,12 +36,13 @@ impl Surface {
             offset_origin(self.p, self.error, self.n, direction),
             direction,
         )
+        .at_time(self.time)
     }
 
     /// A ray from here to the free point `target`; it ends there. Its direction is of any length.
     pub fn spawn_to_point(&self, target: Vec3) -> Ray {
         let origin = offset_origin(self.p, self.error, self.n, target - self.p);
-        segment(origin, target)
+        segment(origin, target, self.time)
     }
 
     /// A ray from here to a point of another surface, which ends just before that surface. Its
@@ -55,12 +58,13 @@ impl Surface {
     }
 }
 
-fn segment(from: Vec3, to: Vec3) -> Ray {
+fn segment(from: Vec3, to: Vec3, time: f32) -> Ray {
     let (scale, direction) = scale_and_direction(to - from);
     Ray {
         origin: from,
         direction,
         // The rounded direction may overshoot by a few roundings.
         t_max: scale * (1.0 - gamma(8)),
+        time,
     }
 }

@@ -92,6 +92,7 @@ impl Triangle {
             p: parts[0] + parts[1] + parts[2],
             error: (parts[0].abs() + parts[1].abs() + parts[2].abs()) * CORNER_SUM_ERROR,
             n: self.normal(),
+            time: 0.0,
         }
     }
 

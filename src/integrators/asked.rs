@@ -1,10 +1,9 @@
 //! How often a path asks each light: where that is rare, the picture may lack a light that its own
 //! noise cannot tell of.
 
-use super::walkable::{SolidPoint, Walkable};
+use super::world::World;
 use crate::sampling::stream::{Purpose, Stream};
 use crate::scene::{Scene, Tracer};
-use crate::space::{Ray, Solid};
 
 /// A light asked fewer times than this in a whole picture may not have been seen at all.
 pub const ENOUGH: f64 = 30.0;
@@ -44,17 +43,17 @@ pub fn rarely_asked(scene: &Scene, max_depth: u32, samples: u64) -> Option<Rarel
         let row = (probe as f32 + numbers.one()) / probes as f32;
         let ray = scene.camera.ray(numbers.one(), row);
         let mut tracer = Tracer::new(scene);
-        let mut ray = Ray::<Solid>::from(&ray);
+        let mut ray = ray;
         for depth in 1..max_depth.min(9) {
-            let Some(at) = tracer.follow(&ray, depth) else {
+            let Some(at) = tracer.intersect(&ray, depth) else {
                 break;
             };
-            if is_smooth(&at) {
-                let p = at.hit.surface.p;
+            if tracer.smooth_event(&at).is_some() {
+                let p = at.surface.p;
                 let asked = times.iter_mut().enumerate();
                 asked.for_each(|(i, t)| *t += f64::from(scene.light_choice.probability(p, i)));
             }
-            let Some(step) = tracer.scatter(&at, u64::from(depth), &stream) else {
+            let Some(step) = tracer.sample_bsdf(&at, u64::from(depth), &stream) else {
                 break;
             };
             ray = step.ray;
@@ -76,8 +75,4 @@ pub fn rarely_asked(scene: &Scene, max_depth: u32, samples: u64) -> Option<Rarel
         least,
         times: times[least],
     })
-}
-
-fn is_smooth(at: &SolidPoint) -> bool {
-    at.hit.object.material.is_some_and(|m| m.is_smooth())
 }

@@ -4,7 +4,7 @@
 //! Simulates the paths `L(S|G|D)*E` of lamps with extent and of the background, and of point and
 //! directional lights `L(D|G)(S|G|D)*E`, like `next_event` and with the same expected value.
 //!
-//! Differs from `next_event`: where that drops the light of a lamp met by chance, this keeps both
+//! Differs from `next_event`: where that drops the light of a lamp hit by chance, this keeps both
 //! estimates and gives each a weight; the two weights of one direction add up to one. Large and
 //! close lamps are found better by chance, small and far ones by aiming, and nobody has to say
 //! which is which.
@@ -12,7 +12,7 @@
 //! Source: Veach, Guibas, Optimally Combining Sampling Techniques for Monte Carlo Rendering
 //! (SIGGRAPH 1995).
 
-use super::walkable::Walkable;
+use super::world::World;
 use super::{Entry, Finds};
 use crate::color::Rgb;
 use crate::sampling::mis::Heuristic;
@@ -61,7 +61,7 @@ impl Combine {
     /// One estimate of the radiance along a ray from the eye, by technique.
     pub fn walk<S: Space>(
         &self,
-        world: &mut impl Walkable<S>,
+        world: &mut impl World<S>,
         ray: &Ray<S>,
         stream: &Stream,
     ) -> Shares {
@@ -72,32 +72,32 @@ impl Combine {
         // from the eye or after a mirror.
         let mut drawn = None;
         for depth in 1..=self.max_depth {
-            let met = world.follow(&ray, depth);
+            let hit = world.intersect(&ray, depth);
 
             // The light that comes along the path by itself: aiming could have found it, too.
             let weight = drawn.map_or(1.0, |(from, pdf)| {
-                let pdf_aim = world.pdf_aim(&from, &ray, met.as_ref());
-                self.heuristic.weight(pdf, pdf_aim)
+                let pdf_light = world.pdf_light(&from, &ray, hit.as_ref());
+                self.heuristic.weight(pdf, pdf_light)
             });
-            li.by_chance += beta * world.arriving(&ray, met.as_ref()) * weight;
-            let Some(here) = met else { break };
+            li.by_chance += beta * world.emitted(&ray, hit.as_ref()) * weight;
+            let Some(here) = hit else { break };
             if depth == self.max_depth {
                 break;
             }
 
             // The light of each lamp that is scattered once, here: chance could have found it.
-            let place = u64::from(depth);
-            for lamp in 0..world.lamps() {
-                if let Some(aimed) = world.aim(&here, lamp, place, stream) {
-                    let weight = aimed
+            let vertex = u64::from(depth);
+            for lamp in 0..world.lights() {
+                if let Some(direct) = world.sample_light(&here, lamp, vertex, stream) {
+                    let weight = direct
                         .pdf
-                        .map_or(1.0, |pdf| self.heuristic.weight(pdf, aimed.pdf_scatter));
-                    li.by_aiming += beta * aimed.light * weight;
+                        .map_or(1.0, |pdf| self.heuristic.weight(pdf, direct.pdf_bsdf));
+                    li.by_aiming += beta * direct.scattered() * weight;
                 }
             }
 
             // Choose where to look next.
-            let Some(step) = world.scatter(&here, place, stream) else {
+            let Some(step) = world.sample_bsdf(&here, vertex, stream) else {
                 break;
             };
             drawn = step.pdf.map(|pdf| (here, pdf));

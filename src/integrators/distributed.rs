@@ -13,12 +13,11 @@
 //! secondary rays, which came with Kajiya, The Rendering Equation (SIGGRAPH 1986).
 
 use super::Integrator;
-use super::walkable::SolidPoint;
 use crate::color::Rgb;
 use crate::geometry::{Ray, Surface};
-use crate::materials::Material;
+use crate::materials::Bsdf;
 use crate::sampling::stream::{Purpose, Stream};
-use crate::scene::{Hit, Tracer};
+use crate::scene::{Interaction, Tracer};
 
 /// What a sample integrates over.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -84,13 +83,13 @@ impl Integral {
     }
 
     /// The integral over the directions of a surface of this material.
-    fn at(material: &Material) -> Integral {
-        match material {
-            Material::Glossy(_) | Material::RoughGlass(_) => Integral::Gloss,
-            Material::Lambert(_)
-            | Material::Mixture(_)
-            | Material::Mirror(_)
-            | Material::Glass(_) => Integral::Hemisphere,
+    fn at(bsdf: &Bsdf) -> Integral {
+        match bsdf {
+            Bsdf::Glossy(_) | Bsdf::RoughGlass(_) => Integral::Gloss,
+            Bsdf::Lambert(_)
+            | Bsdf::Mixture(_)
+            | Bsdf::Mirror(_)
+            | Bsdf::Glass(_) => Integral::Hemisphere,
         }
     }
 }
@@ -115,34 +114,33 @@ impl Integrator for Distributed {
         for depth in 1..=self.max_depth {
             li += beta * arriving(tracer, &ray, hit.as_ref(), asked);
             let Some(here) = hit else { break };
-            let Some(material) = here.object.material.filter(|_| depth < self.max_depth) else {
+            let Some(bsdf) = here.bsdf.filter(|_| depth < self.max_depth) else {
                 break;
             };
             let place = u64::from(depth);
-            let at = SolidPoint::new(here, ray.direction);
 
             // One point of each lamp.
             for lamp in 0..tracer.scene().lamps() {
                 let mut u = stream.at_item(place, Integral::Light.purpose(), lamp as u32);
                 let (u, pick) = (u.two(), u.fine());
-                if let Some(sample) = tracer.sample_light(lamp, &here.surface, pick, u)
+                if let Some(sample) = tracer.light_sample(lamp, &here.surface, pick, u)
                     && tracer.visible(lamp, &sample)
                 {
-                    let wi = at.frame.to_local(sample.wi);
-                    let f_cos = material.f(at.wo, wi) * wi.z.abs();
+                    let wi = here.frame.to_local(sample.wi);
+                    let f_cos = bsdf.f(here.wo, wi) * wi.z.abs();
                     li += beta * f_cos * sample.incident.facing_irradiance();
                 }
             }
 
             // One direction, by the numbers of its own integral.
             let choice = stream.at(place, Purpose::Branch).one();
-            let u = stream.at(place, Integral::at(&material).purpose()).two();
-            let Some(step) = material.scatter(at.wo, choice, u) else {
+            let u = stream.at(place, Integral::at(&bsdf).purpose()).two();
+            let Some(step) = bsdf.scatter(here.wo, choice, u) else {
                 break;
             };
             asked = step.pdf.map(|_| here.surface);
             beta *= step.weight;
-            ray = here.surface.spawn(at.frame.to_world(step.wi).normalize());
+            ray = here.surface.spawn(here.frame.to_world(step.wi).normalize());
             hit = tracer.secondary_ray(&ray);
         }
         li
@@ -151,18 +149,18 @@ impl Integrator for Distributed {
 }
 
 /// What comes along the ray by itself, but for what a shadow ray from `asked` has asked for.
-fn arriving(tracer: &Tracer, ray: &Ray, hit: Option<&Hit>, asked: Option<Surface>) -> Rgb {
+fn arriving(tracer: &Tracer, ray: &Ray, hit: Option<&Interaction>, asked: Option<Surface>) -> Rgb {
     let scene = tracer.scene();
     let (radiance, light) = match hit {
         Some(hit) => {
             let light = hit.object.light.map(|light| light as usize);
-            (hit.emitted(-ray.direction), light)
+            (hit.emission, light)
         }
         None => (scene.background(ray.direction), scene.environment_light),
     };
     match (asked, light) {
         (Some(from), Some(lamp))
-            if tracer.pdf_light(lamp, &from, ray.direction, hit.map(|h| &h.surface)) > 0.0 =>
+            if tracer.light_pdf(lamp, &from, ray.direction, hit.map(|h| &h.surface)) > 0.0 =>
         {
             Rgb::BLACK
         }

@@ -11,7 +11,7 @@
 //! Source: Kajiya, The Rendering Equation (SIGGRAPH 1986), without his rays to the lights: those
 //! are the next stage, `next_event`.
 
-use super::walkable::Walkable;
+use super::world::World;
 use super::{Entry, Finds};
 use crate::color::Rgb;
 use crate::sampling::stream::Stream;
@@ -44,7 +44,7 @@ impl Kajiya {
     /// One estimate of the radiance along a ray from the eye.
     pub fn walk<S: Space>(
         &self,
-        world: &mut impl Walkable<S>,
+        world: &mut impl World<S>,
         ray: &Ray<S>,
         stream: &Stream,
     ) -> Rgb {
@@ -52,17 +52,17 @@ impl Kajiya {
         let mut beta = Rgb::WHITE;
         let mut ray = *ray;
         for depth in 1..=self.max_depth {
-            let met = world.follow(&ray, depth);
+            let hit = world.intersect(&ray, depth);
 
             // The light that comes along the path by itself.
-            li += beta * world.arriving(&ray, met.as_ref());
-            let Some(here) = met else { break };
+            li += beta * world.emitted(&ray, hit.as_ref());
+            let Some(here) = hit else { break };
             if depth == self.max_depth {
                 break;
             }
 
             // Choose where to look next.
-            let Some(step) = world.scatter(&here, u64::from(depth), stream) else {
+            let Some(step) = world.sample_bsdf(&here, u64::from(depth), stream) else {
                 break;
             };
             beta *= step.weight;

@@ -12,7 +12,7 @@
 //! | [`Combine`] | the same | both, weighted |
 //! | [`Path`] | the same | all of it: the one to use |
 //!
-//! The walks are written against [`walkable::Walkable`] and run in flatland, too. No integrator is
+//! The walks are written against [`world::World`] and run in flatland, too. No integrator is
 //! a flag of another one. They share the floors below, never each other's lines.
 
 mod asked;
@@ -22,14 +22,13 @@ mod entry;
 mod follow;
 mod kajiya;
 mod next_event;
-mod onward;
 mod path;
 mod roulette;
 mod tree;
 mod views;
-pub mod walkable;
 mod which_ray;
 mod whitted;
+pub mod world;
 
 pub use asked::{ENOUGH, RarelyAsked, rarely_asked};
 pub use combine::{Combine, Shares};
@@ -88,25 +87,25 @@ impl<I: Integrator + ?Sized> Integrator for Box<I> {
 
 impl Integrator for Kajiya {
     fn li(&self, tracer: &mut Tracer, ray: &Ray, stream: &Stream) -> Rgb {
-        self.walk::<Solid>(tracer, &ray.into(), stream)
+        self.walk::<Solid>(tracer, ray, stream)
     }
 }
 
 impl Integrator for Roulette {
     fn li(&self, tracer: &mut Tracer, ray: &Ray, stream: &Stream) -> Rgb {
-        self.walk::<Solid>(tracer, &ray.into(), stream)
+        self.walk::<Solid>(tracer, ray, stream)
     }
 }
 
 impl Integrator for NextEvent {
     fn li(&self, tracer: &mut Tracer, ray: &Ray, stream: &Stream) -> Rgb {
-        self.walk::<Solid>(tracer, &ray.into(), stream)
+        self.walk::<Solid>(tracer, ray, stream)
     }
 }
 
 impl Integrator for Combine {
     fn li(&self, tracer: &mut Tracer, ray: &Ray, stream: &Stream) -> Rgb {
-        let shares = self.walk::<Solid>(tracer, &ray.into(), stream);
+        let shares = self.walk::<Solid>(tracer, ray, stream);
         shares.by_chance + shares.by_aiming
     }
 }

@@ -20,7 +20,7 @@
 //! Source: Kajiya, The Rendering Equation (SIGGRAPH 1986); Shirley, Wang, Zimmerman, Monte Carlo
 //! Techniques for Direct Lighting Calculations (TOG 15(1), 1996).
 
-use super::walkable::{Walkable, ask_all};
+use super::world::{World, next_event};
 use super::{Entry, Finds};
 use crate::color::Rgb;
 use crate::sampling::stream::Stream;
@@ -53,7 +53,7 @@ impl NextEvent {
     /// One estimate of the radiance along a ray from the eye.
     pub fn walk<S: Space>(
         &self,
-        world: &mut impl Walkable<S>,
+        world: &mut impl World<S>,
         ray: &Ray<S>,
         stream: &Stream,
     ) -> Rgb {
@@ -63,24 +63,24 @@ impl NextEvent {
         // The surface that asked for the light along the ray. Nobody did along one from the eye.
         let mut asked = None;
         for depth in 1..=self.max_depth {
-            let met = world.follow(&ray, depth);
+            let hit = world.intersect(&ray, depth);
 
             // The light that comes along the path by itself, unless it was asked for.
-            let was_asked = |from| world.pdf_aim(&from, &ray, met.as_ref()) > 0.0;
-            if !asked.is_some_and(was_asked) {
-                li += beta * world.arriving(&ray, met.as_ref());
+            let was_sampled = |from| world.pdf_light(&from, &ray, hit.as_ref()) > 0.0;
+            if !asked.is_some_and(was_sampled) {
+                li += beta * world.emitted(&ray, hit.as_ref());
             }
-            let Some(here) = met else { break };
+            let Some(here) = hit else { break };
             if depth == self.max_depth {
                 break;
             }
 
             // The light of all lamps that is scattered once, here.
-            let place = u64::from(depth);
-            li += beta * ask_all(world, &here, place, stream);
+            let vertex = u64::from(depth);
+            li += beta * next_event(world, &here, vertex, stream);
 
             // Choose where to look next.
-            let Some(step) = world.scatter(&here, place, stream) else {
+            let Some(step) = world.sample_bsdf(&here, vertex, stream) else {
                 break;
             };
             asked = step.pdf.map(|_| here);

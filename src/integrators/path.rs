@@ -17,16 +17,15 @@
 //! 1996), "Projection maps", for looking where light is focused.
 
 use super::follow::{Everything, Follow};
-use super::onward::Onward;
-use super::walkable::SolidPoint;
+use super::world::{Guided, World};
 use super::{Entry, Finds, Integrator};
 use crate::color::Rgb;
-use crate::geometry::{Ray, Surface};
-use crate::lights::Incident;
-use crate::materials::{Among, kinds};
+use crate::geometry;
+use crate::materials::kinds;
 use crate::sampling::mis::Heuristic;
-use crate::sampling::stream::{Numbers, Purpose, Stream};
-use crate::scene::{Hit, Tracer};
+use crate::sampling::stream::Stream;
+use crate::scene::Tracer;
+use crate::space::{Ray, Space};
 
 /// The production path tracer.
 #[derive(Clone, Copy, Debug)]
@@ -37,10 +36,6 @@ pub struct Path {
     /// Paths of fewer segments never play roulette. At [`Path::max_depth`] none does.
     pub roulette_from: u32,
 }
-
-/// The surface that drew a ray, its normal on the side it was seen from, and the density with which it
-/// did.
-type Drawn = Option<(Surface, f32)>;
 
 /// Even a path that carries next to nothing lives on with this probability: what it may still find
 /// is not weighted up by more than its reciprocal.
@@ -69,173 +64,121 @@ impl Path {
 }
 
 impl Path {
-    /// Follows one path, and tells `follow` all light it finds.
-    pub fn trace(&self, tracer: &mut Tracer, ray: &Ray, stream: &Stream, follow: &mut impl Follow) {
-        self.kernel::<{ kinds::ALL }, true>(tracer, ray, stream, follow);
-    }
-
     // ANCHOR: path
-    /// The walk itself, for scenes whose materials are among `KINDS` (see [`kinds`]) and in which
-    /// something moves, or nothing does.
+    /// Traces one path from the eye, and tells `follow` all light that it finds.
     #[inline]
-    fn kernel<const KINDS: u8, const MOVES: bool>(
+    pub fn walk<S: Space>(
         &self,
-        tracer: &mut Tracer<MOVES>,
-        ray: &Ray,
+        world: &mut impl World<S>,
+        ray: &Ray<S>,
         stream: &Stream,
         follow: &mut impl Follow,
     ) {
         let mut beta = Rgb::WHITE;
-        // What surfaces left of the light, of which roulette took no account yet.
-        let mut kept = Rgb::WHITE;
+        // The throughput of which roulette took no account yet.
+        let mut rr_beta = Rgb::WHITE;
         let mut ray = *ray;
-        let mut drawn = None;
-        let mut hit = tracer.camera_ray(&ray);
+        // The surface where the ray was sampled, and with what density; nobody else could have sampled
+        // one from the eye or after a mirror.
+        let mut sampled = None;
         for depth in 1..=self.max_depth {
-            // The light that comes along the path by itself.
-            follow.arrived(beta * arriving(tracer, &ray, hit.as_ref(), drawn));
+            let hit = world.intersect(&ray, depth);
+
+            // The light that comes along the path by itself: the sampling of lights could have found it.
+            let mut li = world.emitted(&ray, hit.as_ref());
+            if let Some((from, pdf)) = &sampled
+                && !li.is_black()
+            {
+                let pdf_light = world.pdf_light(from, &ray, hit.as_ref());
+                li = li * Heuristic::Power.weight(*pdf, pdf_light);
+            }
+            follow.arrived(beta * li);
             let Some(here) = hit else { break };
-            let Some(material) = here.object.material else {
-                break;
-            };
             if depth == self.max_depth {
                 break;
             }
 
-            // The light of one lamp that is scattered once, here.
-            let place = u64::from(depth);
-            let at = SolidPoint::new(here, ray.direction);
-            let seen = here.surface.facing(-ray.direction);
-            let onward = Onward::new(tracer.scene(), &at, Among::<KINDS>(material));
-            if let Some(last) = onward.smooth.filter(|&last| follow.wants(last)) {
-                let numbers = stream.at(place, Purpose::LightPoint);
-                follow.aimed(last, beta * aim(tracer, &onward, &seen, numbers));
+            // The light of light sources that is scattered once, here: the path could have found it.
+            let vertex = u64::from(depth);
+            if let Some(last) = world.smooth_event(&here).filter(|&e| follow.wants(e)) {
+                for light in 0..world.lights() {
+                    if let Some(direct) = world.sample_light(&here, light, vertex, stream) {
+                        follow.aimed(last, beta * direct.weighted(Heuristic::Power));
+                    }
+                }
             }
 
             // Choose where to look next.
-            let mut numbers = stream.at(place, Purpose::Direction);
-            let branch = || stream.at(place, Purpose::Branch).one();
-            let Some(step) = onward.sample(&mut numbers, branch) else {
+            let Some(step) = world.sample_bsdf(&here, vertex, stream) else {
                 break;
             };
             if !follow.scattered(step.event) {
                 break;
             }
             beta *= step.weight;
-            kept *= step.kept;
+            rr_beta *= step.bsdf_weight;
 
             // Does the path go on? If so, it also stands for those that did not. It is no worse for
             // being one of many that look for focused light, and carry less each.
             if depth >= self.roulette_from {
-                let q = kept.max_channel().clamp(LEAST_SURVIVAL, 1.0);
-                let survives = numbers.one() < q;
+                let q = rr_beta.max_channel().clamp(LEAST_SURVIVAL, 1.0);
+                let survives = step.left < q;
                 if !survives {
                     break;
                 }
                 beta = beta / q;
-                kept = kept / q;
+                rr_beta = rr_beta / q;
             }
-            drawn = step.pdf.map(|pdf| (seen, pdf));
-            ray = here.surface.spawn(step.direction);
-            hit = tracer.secondary_ray(&ray);
+            sampled = step.pdf.map(|pdf| (here, pdf));
+            ray = step.ray;
         }
     }
     // ANCHOR_END: path
+
+    /// Traces one path in a scene, and tells `follow` all light that it finds.
+    pub fn trace(
+        &self,
+        tracer: &mut Tracer,
+        ray: &geometry::Ray,
+        stream: &Stream,
+        follow: &mut impl Follow,
+    ) {
+        self.walk(&mut Guided::<{ kinds::ALL }>::new(tracer), ray, stream, follow);
+    }
 }
 
 // ANCHOR: kernels
 impl Integrator for Path {
-    /// By the kernel that knows what is in the scene and nothing else. What it leaves out could not
-    /// have happened, so the light is that of [`Path::trace`], bit for bit.
-    fn li(&self, tracer: &mut Tracer, ray: &Ray, stream: &Stream) -> Rgb {
+    /// By code for the BSDFs that are in the scene, and no others. What it leaves out could not have
+    /// happened, so the light is that of [`Path::trace`], bit for bit.
+    fn li(&self, tracer: &mut Tracer, ray: &geometry::Ray, stream: &Stream) -> Rgb {
         let scene = tracer.scene();
         if scene.is_dark() {
             return Rgb::BLACK;
         }
-        match (scene.kinds(), scene.moves()) {
-            (kinds::DIFFUSE, false) => self.still::<{ kinds::DIFFUSE }>(tracer, ray, stream),
-            (kinds::SPECULAR, false) => self.still::<{ kinds::SPECULAR }>(tracer, ray, stream),
-            (kinds::GLOSS, false) => self.still::<{ kinds::GLOSS }>(tracer, ray, stream),
-            (_, false) => self.still::<{ kinds::ALL }>(tracer, ray, stream),
-            (kinds::DIFFUSE, true) => self.moving::<{ kinds::DIFFUSE }>(tracer, ray, stream),
-            (kinds::SPECULAR, true) => self.moving::<{ kinds::SPECULAR }>(tracer, ray, stream),
-            (kinds::GLOSS, true) => self.moving::<{ kinds::GLOSS }>(tracer, ray, stream),
-            (_, true) => self.moving::<{ kinds::ALL }>(tracer, ray, stream),
+        match scene.kinds() {
+            kinds::DIFFUSE => self.among::<{ kinds::DIFFUSE }>(tracer, ray, stream),
+            kinds::SPECULAR => self.among::<{ kinds::SPECULAR }>(tracer, ray, stream),
+            kinds::GLOSS => self.among::<{ kinds::GLOSS }>(tracer, ray, stream),
+            _ => self.among::<{ kinds::ALL }>(tracer, ray, stream),
         }
     }
 }
 
 impl Path {
-    fn still<const KINDS: u8>(&self, tracer: &mut Tracer, ray: &Ray, stream: &Stream) -> Rgb {
+    /// The light of one path in a scene whose BSDFs are among `KINDS` (see [`kinds`]).
+    fn among<const KINDS: u8>(
+        &self,
+        tracer: &mut Tracer,
+        ray: &geometry::Ray,
+        stream: &Stream,
+    ) -> Rgb {
         let mut all = Everything::default();
-        tracer.at_rest(|still| self.kernel::<KINDS, false>(still, ray, stream, &mut all));
-        all.li
-    }
-
-    fn moving<const KINDS: u8>(&self, tracer: &mut Tracer, ray: &Ray, stream: &Stream) -> Rgb {
-        let mut all = Everything::default();
-        self.kernel::<KINDS, true>(tracer, ray, stream, &mut all);
+        self.walk(&mut Guided::<KINDS>::new(tracer), ray, stream, &mut all);
         all.li
     }
 }
 // ANCHOR_END: kernels
-/// What the ray found at its end, weighted by how likely aiming was to find it.
-fn arriving<const MOVES: bool>(
-    tracer: &Tracer<MOVES>,
-    ray: &Ray,
-    hit: Option<&Hit>,
-    drawn: Drawn,
-) -> Rgb {
-    let scene = tracer.scene();
-    let (radiance, light) = match hit {
-        Some(hit) => {
-            let light = hit.object.light.map(|light| light as usize);
-            (hit.emitted(-ray.direction), light)
-        }
-        None => (scene.background(ray.direction), scene.beyond_light()),
-    };
-    match (drawn, light) {
-        (Some((from, pdf)), Some(index)) if !radiance.is_black() => {
-            let at = hit.map(|hit| &hit.surface);
-            let pdf_aim = scene.light_choice.probability(from.p, index)
-                * tracer.pdf_light(index, &from, ray.direction, at);
-            radiance * Heuristic::Power.weight(pdf, pdf_aim)
-        }
-        _ => radiance,
-    }
-}
-
-/// The light of all lamps that a surface scatters back, estimated by one of them.
-fn aim<const KINDS: u8, const MOVES: bool>(
-    tracer: &mut Tracer<MOVES>,
-    onward: &Onward<KINDS>,
-    from: &Surface,
-    mut numbers: Numbers,
-) -> Rgb {
-    let scene = tracer.scene();
-    let at = onward.at;
-    let (u, pick) = (numbers.two(), numbers.fine());
-    let Some(chosen) = scene.light_choice.choose(from.p, pick) else {
-        return Rgb::BLACK;
-    };
-    let Some(sample) = tracer.sample_light(chosen.index, from, chosen.rest, u) else {
-        return Rgb::BLACK;
-    };
-    let wi = at.frame.to_local(sample.wi);
-    let scattered = onward.material.f(at.wo, wi) * wi.z.abs();
-    if scattered.is_black() || !tracer.visible(chosen.index, &sample) {
-        return Rgb::BLACK;
-    }
-    scattered
-        * match sample.incident {
-            Incident::Radiance { li, pdf } => {
-                let pdf_aim = pdf * chosen.probability;
-                let weight = Heuristic::Power.weight(pdf_aim, onward.pdf(wi, sample.wi));
-                li * (weight / pdf_aim)
-            }
-            Incident::Irradiance(e) => e / chosen.probability,
-        }
-}
 
 #[cfg(test)]
 mod tests {
@@ -246,8 +189,8 @@ mod tests {
     /// A path tracer that always takes one kernel.
     struct Always<F>(F);
 
-    impl<F: Fn(&mut Tracer, &Ray, &Stream) -> Rgb + Sync> Integrator for Always<F> {
-        fn li(&self, tracer: &mut Tracer, ray: &Ray, stream: &Stream) -> Rgb {
+    impl<F: Fn(&mut Tracer, &geometry::Ray, &Stream) -> Rgb + Sync> Integrator for Always<F> {
+        fn li(&self, tracer: &mut Tracer, ray: &geometry::Ray, stream: &Stream) -> Rgb {
             self.0(tracer, ray, stream)
         }
     }
@@ -265,9 +208,7 @@ mod tests {
         let path = Path::new(6);
         let load = |name| gallery::load(name).expect(name).sized([16, 12]);
         let diffuse =
-            Always(|t: &mut Tracer, r: &Ray, s: &Stream| path.still::<{ kinds::DIFFUSE }>(t, r, s));
-        let no_motion =
-            Always(|t: &mut Tracer, r: &Ray, s: &Stream| path.still::<{ kinds::ALL }>(t, r, s));
+            Always(|t: &mut Tracer, r: &geometry::Ray, s: &Stream| path.among::<{ kinds::DIFFUSE }>(t, r, s));
         for scene in ["gloss", "caustic", "mixture"].map(load) {
             assert_ne!(
                 film(&scene, &path),
@@ -276,8 +217,6 @@ mod tests {
                 scene.name
             );
         }
-        let motion = load("motion");
-        assert_ne!(film(&motion, &path), film(&motion, &no_motion));
         let cornell = load("cornell");
         assert_eq!(film(&cornell, &path), film(&cornell, &diffuse));
     }

@@ -1,4 +1,4 @@
-//! Path tracing of any length: Russian roulette in place of a depth cut.
+//! Path tracing of any length: Russian roulette in vertex of a depth cut.
 //!
 //! Simulates the paths `L(S|G|D)*E` of lamps with extent and of the background, all of them.
 //!
@@ -9,7 +9,7 @@
 //!
 //! Source: Arvo, Kirk, Particle Transport and Image Synthesis (SIGGRAPH 1990), "Russian roulette".
 
-use super::walkable::Walkable;
+use super::world::World;
 use super::{Entry, Finds};
 use crate::color::Rgb;
 use crate::sampling::stream::{Purpose, Stream};
@@ -68,7 +68,7 @@ impl Roulette {
     /// One estimate of the radiance along a ray from the eye.
     pub fn walk<S: Space>(
         &self,
-        world: &mut impl Walkable<S>,
+        world: &mut impl World<S>,
         ray: &Ray<S>,
         stream: &Stream,
     ) -> Rgb {
@@ -76,15 +76,15 @@ impl Roulette {
         let mut beta = Rgb::WHITE;
         let mut ray = *ray;
         for depth in 1.. {
-            let met = world.follow(&ray, depth);
+            let hit = world.intersect(&ray, depth);
 
             // The light that comes along the path by itself.
-            li += beta * world.arriving(&ray, met.as_ref());
-            let Some(here) = met else { break };
+            li += beta * world.emitted(&ray, hit.as_ref());
+            let Some(here) = hit else { break };
 
             // Choose where to look next.
-            let place = u64::from(depth);
-            let Some(step) = world.scatter(&here, place, stream) else {
+            let vertex = u64::from(depth);
+            let Some(step) = world.sample_bsdf(&here, vertex, stream) else {
                 break;
             };
             beta *= step.weight;
@@ -93,7 +93,7 @@ impl Roulette {
             // Does the path go on? If so, it also stands for those that did not. No number is below
             // a probability that is none, so a broken path ends here, too.
             let q = self.survival.probability(beta);
-            let survives = stream.at(place, Purpose::Survival).one() < q;
+            let survives = stream.at(vertex, Purpose::Survival).one() < q;
             if !survives {
                 break;
             }

@@ -2,8 +2,8 @@
 
 use crate::color::Rgb;
 use crate::geometry::Ray;
-use crate::materials::Material;
-use crate::scene::Hit;
+use crate::materials::Bsdf;
+use crate::scene::Interaction;
 use glam::Vec3;
 
 /// What a ray of the tree is.
@@ -34,14 +34,14 @@ pub struct TreeRay {
 /// Looks on while a tree is traced. Rendering watches with `()`, which costs nothing.
 pub trait Watch {
     /// A ray of the tree met something, or left the scene.
-    fn saw(&mut self, here: &TreeRay, ray: &Ray, hit: Option<&Hit>);
+    fn saw(&mut self, here: &TreeRay, ray: &Ray, hit: Option<&Interaction>);
     /// The light that the surface met by the ray numbered `node` emits or scatters diffusely
     /// towards the ray.
     fn gained(&mut self, node: u64, radiance: Rgb);
 }
 
 impl Watch for () {
-    fn saw(&mut self, _: &TreeRay, _: &Ray, _: Option<&Hit>) {}
+    fn saw(&mut self, _: &TreeRay, _: &Ray, _: Option<&Interaction>) {}
     fn gained(&mut self, _: u64, _: Rgb) {}
 }
 
@@ -53,7 +53,7 @@ pub struct TreeCount {
 }
 
 impl Watch for TreeCount {
-    fn saw(&mut self, here: &TreeRay, _: &Ray, _: Option<&Hit>) {
+    fn saw(&mut self, here: &TreeRay, _: &Ray, _: Option<&Interaction>) {
         let level = here.depth as usize - 1;
         if self.levels.len() <= level {
             self.levels.resize(level + 1, (0, 0.0));
@@ -102,16 +102,16 @@ pub enum Met {
 }
 
 impl Watch for TreeRecord {
-    fn saw(&mut self, here: &TreeRay, ray: &Ray, hit: Option<&Hit>) {
-        let met = hit.map(|h| match h.object.material {
-            _ if !h.object.emission.is_black() => Met::Lamp,
-            Some(Material::Mirror(_)) => Met::Mirror,
-            Some(Material::Glass(_)) => Met::Glass,
+    fn saw(&mut self, here: &TreeRay, ray: &Ray, hit: Option<&Interaction>) {
+        let met = hit.map(|h| match h.bsdf {
+            _ if h.object.light.is_some() => Met::Lamp,
+            Some(Bsdf::Mirror(_)) => Met::Mirror,
+            Some(Bsdf::Glass(_)) => Met::Glass,
             Some(
-                Material::Lambert(_)
-                | Material::Glossy(_)
-                | Material::RoughGlass(_)
-                | Material::Mixture(_),
+                Bsdf::Lambert(_)
+                | Bsdf::Glossy(_)
+                | Bsdf::RoughGlass(_)
+                | Bsdf::Mixture(_),
             )
             | None => Met::Diffuse,
         });

@@ -4,7 +4,6 @@
 use super::{Entry, Integrator};
 use crate::color::Rgb;
 use crate::geometry::Ray;
-use crate::materials::Material;
 use crate::sampling::stream::Stream;
 use crate::scene::Tracer;
 
@@ -57,8 +56,8 @@ impl Integrator for Albedo {
     fn li(&self, tracer: &mut Tracer, ray: &Ray, _: &Stream) -> Rgb {
         tracer
             .camera_ray(ray)
-            .and_then(|hit| hit.object.material)
-            .map_or(Rgb::BLACK, |m: Material| m.albedo())
+            .and_then(|hit| hit.bsdf)
+            .map_or(Rgb::BLACK, |bsdf| bsdf.albedo())
     }
 }
 

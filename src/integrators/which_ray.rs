@@ -11,18 +11,17 @@
 //! the lamps counts by the shadow rays after a diffuse choice, and where the path meets it after a
 //! specular one.
 //!
-//! Sources: Kajiya, The Rendering Equation (SIGGRAPH 1986), for one ray in place of a tree; Lafortune,
+//! Sources: Kajiya, The Rendering Equation (SIGGRAPH 1986), for one ray in vertex of a tree; Lafortune,
 //! Willems, Using the Modified Phong Reflectance Model for Physically Based Rendering (Report CW 197,
 //! KU Leuven 1994), section 4, for the weight.
 
-use super::walkable::{SolidPoint, Walkable, ask_all};
+use super::world::{World, next_event};
 use super::{Entry, Finds, Integrator};
 use crate::color::Rgb;
-use crate::geometry;
-use crate::materials::{Choice, Material, Scattered};
+use crate::geometry::Ray;
+use crate::materials::{Bsdf, BsdfSample, Choice};
 use crate::sampling::stream::{Purpose, Stream};
-use crate::scene::Tracer;
-use crate::space::Ray;
+use crate::scene::{Interaction, Tracer};
 
 /// The walk that chooses what kind of ray to follow.
 #[derive(Clone, Copy, Debug)]
@@ -56,37 +55,37 @@ impl WhichRay {
 
 impl Integrator for WhichRay {
     // ANCHOR: which_ray
-    fn li(&self, tracer: &mut Tracer, ray: &geometry::Ray, stream: &Stream) -> Rgb {
+    fn li(&self, tracer: &mut Tracer, ray: &Ray, stream: &Stream) -> Rgb {
         let mut li = Rgb::BLACK;
         let mut beta = Rgb::WHITE;
-        let mut ray = Ray::from(ray);
+        let mut ray = *ray;
         // The surface that asked for the light along the ray. Nobody did along one from the eye.
         let mut asked = None;
         for depth in 1..=self.max_depth {
-            let met = tracer.follow(&ray, depth);
+            let hit = tracer.intersect(&ray, depth);
 
             // The light that comes along the path by itself, unless it was asked for.
-            let was_asked = |from| tracer.pdf_aim(&from, &ray, met.as_ref()) > 0.0;
-            if !asked.is_some_and(was_asked) {
-                li += beta * tracer.arriving(&ray, met.as_ref());
+            let was_sampled = |from| tracer.pdf_light(&from, &ray, hit.as_ref()) > 0.0;
+            if !asked.is_some_and(was_sampled) {
+                li += beta * tracer.emitted(&ray, hit.as_ref());
             }
-            let Some(here) = met else { break };
+            let Some(here) = hit else { break };
             if depth == self.max_depth {
                 break;
             }
 
             // One ray to each lamp.
-            let place = u64::from(depth);
-            li += beta * ask_all(tracer, &here, place, stream);
+            let vertex = u64::from(depth);
+            li += beta * next_event(tracer, &here, vertex, stream);
 
             // One further ray: diffuse, specular or transmitted.
-            let Some(next) = self.further(&here, place, stream) else {
+            let Some(next) = self.further(&here, vertex, stream) else {
                 break;
             };
             beta *= next.weight;
             asked = next.pdf.map(|_| here);
             let direction = here.frame.to_world(next.wi).normalize();
-            ray = Ray::from(&here.hit.surface.spawn(direction));
+            ray = here.surface.spawn(direction);
         }
         li
     }
@@ -95,11 +94,11 @@ impl Integrator for WhichRay {
 
 impl WhichRay {
     /// Chooses the further ray; `None` where the light is absorbed.
-    pub fn further(&self, here: &SolidPoint, place: u64, stream: &Stream) -> Option<Scattered> {
-        let choice = stream.at(place, Purpose::Branch).one();
-        let u = stream.at(place, Purpose::Direction).two();
-        match here.hit.object.material? {
-            Material::Mixture(m) => m.scatter_by(self.choice, here.wo, choice, u),
+    pub fn further(&self, here: &Interaction, vertex: u64, stream: &Stream) -> Option<BsdfSample> {
+        let choice = stream.at(vertex, Purpose::Branch).one();
+        let u = stream.at(vertex, Purpose::Direction).two();
+        match here.bsdf? {
+            Bsdf::Mixture(m) => m.scatter_by(self.choice, here.wo, choice, u),
             other => other.scatter(here.wo, choice, u),
         }
     }

@@ -13,9 +13,8 @@ use super::{Entry, Finds, Found, Integrator, RayKind, TreeRay, Watch};
 use crate::color::Rgb;
 use crate::geometry::Ray;
 use crate::materials::Branch;
-use crate::sampling::frame::Frame;
 use crate::sampling::stream::{Purpose, Stream};
-use crate::scene::{Hit, Tracer};
+use crate::scene::{Interaction, Tracer};
 
 const AT_SKIES: &str = "it aims at a sky from rough surfaces only where the sky is an image, and goes no \
                         further";
@@ -92,7 +91,7 @@ impl Whitted {
         &self,
         tracer: &mut Tracer,
         ray: &Ray,
-        hit: Option<Hit>,
+        hit: Option<Interaction>,
         here: &TreeRay,
         stream: &Stream,
         watcher: &mut impl Watch,
@@ -103,20 +102,19 @@ impl Whitted {
         };
 
         // The light this surface sends towards the eye by itself.
-        let mut li = hit.emitted(-ray.direction);
+        let mut li = hit.emission;
         if here.depth < self.max_depth {
-            li += direct_light(tracer, ray, &hit, here.node, stream);
+            li += direct_light(tracer, &hit, here.node, stream);
         }
         watcher.gained(here.node, li);
 
         // The light it passes on: one ray for each perfectly specular direction.
         if here.depth < self.max_depth
-            && let Some(material) = hit.object.material
+            && let Some(bsdf) = hit.bsdf
         {
-            let frame = Frame::new(hit.surface.n);
-            let specular = material.specular(frame.to_local(-ray.direction));
+            let specular = bsdf.specular(hit.wo);
             let mut branch = |b: Branch, kind, node| {
-                let next_ray = hit.surface.spawn(frame.to_world(b.wi).normalize());
+                let next_ray = hit.surface.spawn(hit.frame.to_world(b.wi).normalize());
                 let next = TreeRay {
                     node,
                     depth: here.depth + 1,
@@ -145,23 +143,21 @@ impl Integrator for Whitted {
 }
 
 // ANCHOR: direct_light
-/// The light of all lamps that the surface scatters diffusely back along `ray`; `node` is the
-/// place in the tree whose random numbers choose the points on the lamps.
-pub fn direct_light(tracer: &mut Tracer, ray: &Ray, hit: &Hit, node: u64, stream: &Stream) -> Rgb {
-    let Some(material) = hit.object.material.filter(|m| m.is_smooth()) else {
+/// The light of all lamps that the surface scatters diffusely back; `node` is the place in the tree
+/// whose random numbers choose the points on the lamps.
+pub fn direct_light(tracer: &mut Tracer, hit: &Interaction, node: u64, stream: &Stream) -> Rgb {
+    let Some(bsdf) = hit.bsdf.filter(|bsdf| bsdf.is_smooth()) else {
         return Rgb::BLACK;
     };
-    let frame = Frame::new(hit.surface.n);
-    let wo = frame.to_local(-ray.direction);
     let mut light_out = Rgb::BLACK;
     for i in 0..tracer.scene().lamps() {
         let mut numbers = stream.at_item(node, Purpose::LightPoint, i as u32);
         let (u, pick) = (numbers.two(), numbers.fine());
-        let Some(sample) = tracer.sample_light(i, &hit.surface, pick, u) else {
+        let Some(sample) = tracer.light_sample(i, &hit.surface, pick, u) else {
             continue;
         };
-        let wi = frame.to_local(sample.wi);
-        let f = material.f(wo, wi);
+        let wi = hit.frame.to_local(sample.wi);
+        let f = bsdf.f(hit.wo, wi);
         let cos = wi.z.abs();
         // A shadow ray costs as much as any other: it is not sent where nothing could come of it.
         if !f.is_black() && cos > 0.0 && tracer.visible(i, &sample) {

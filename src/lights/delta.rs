@@ -21,10 +21,8 @@ impl PointLight {
         let irradiance = self.intensity * (1.0 / distance2);
         let shadow_ray = from.spawn_to_point(self.position);
         (distance2 > 0.0 && irradiance.is_finite()).then_some(LightSample {
-            wi: shadow_ray.direction.normalize(),
-            incident: Incident::Irradiance(irradiance),
             shadow_ray,
-            part: 0,
+            ..LightSample::from_afar(from, shadow_ray.direction.normalize(), Incident::Irradiance(irradiance))
         })
     }
 }
@@ -41,11 +39,6 @@ pub struct DirectionalLight {
 impl DirectionalLight {
     /// The only direction there is.
     pub fn sample(&self, from: &Surface) -> LightSample {
-        LightSample {
-            wi: self.from,
-            incident: Incident::Irradiance(self.irradiance),
-            shadow_ray: from.spawn(self.from),
-            part: 0,
-        }
+        LightSample::from_afar(from, self.from, Incident::Irradiance(self.irradiance))
     }
 }

@@ -90,14 +90,9 @@ impl EnvironmentLight {
         let (sin_phi, cos_phi) = libm::sincos(TAU * (across - 0.5) - self.turn);
         let wi = DVec3::new(sin * sin_phi, cos, -sin * cos_phi).as_vec3();
         let pdf = self.pdf(wi);
-        (pdf > 0.0).then(|| LightSample {
-            wi,
-            incident: Incident::Radiance {
-                li: self.radiance(wi),
-                pdf,
-            },
-            shadow_ray: from.spawn(wi),
-            part: 0,
+        (pdf > 0.0).then(|| {
+            let li = self.radiance(wi);
+            LightSample::from_afar(from, wi, Incident::Radiance { li, pdf })
         })
     }
 

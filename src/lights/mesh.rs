@@ -76,7 +76,7 @@ impl MeshLight {
         let sample = by_area(&target, self.area(), self.radiance, from)?;
         Some(LightSample {
             part: part as u32,
-            ..sample
+            ..sample.at([b, c])
         })
     }
 

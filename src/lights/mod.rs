@@ -61,6 +61,29 @@ pub struct LightSample {
     /// Which of the light's surfaces it comes from: the number of a triangle of a mesh, 0 for all
     /// other lights.
     pub part: u32,
+    /// The point on a quad or triangle, as in [`Crossing`](crate::geometry::Crossing).
+    pub place: [f32; 2],
+    /// The unit normal of a surface at the point, on a side that shines.
+    pub n: Vec3,
+}
+
+impl LightSample {
+    /// Light that comes from infinitely far away.
+    fn from_afar(from: &Surface, wi: Vec3, incident: Incident) -> Self {
+        LightSample {
+            wi,
+            incident,
+            shadow_ray: from.spawn(wi),
+            part: 0,
+            place: [0.0; 2],
+            n: -wi,
+        }
+    }
+
+    /// The same at a place of a quad or triangle.
+    fn at(self, place: [f32; 2]) -> Self {
+        LightSample { place, ..self }
+    }
 }
 
 /// How much light comes from one direction.
@@ -237,6 +260,8 @@ fn towards(
         incident: Incident::Radiance { li: radiance, pdf },
         shadow_ray: from.spawn_to(target),
         part: 0,
+        place: [0.0; 2],
+        n: target.n,
     })
 }
 

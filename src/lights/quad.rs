@@ -109,9 +109,10 @@ impl QuadLight {
         };
         let [s, t] = seen.place(seen.rectangle.sample(u));
         let target = shining(self.bent_surface(bend, s, t), self.two_sided, from);
-        towards(from, &target, self.radiance, |_| {
+        let sample = towards(from, &target, self.radiance, |_| {
             seen.rectangle.pdf() as f32
-        })
+        });
+        sample.map(|sample| sample.at([s, t]))
     }
 
     /// Draws a point of the light, uniformly in area: simpler, and as good from far away. Close to
@@ -124,9 +125,10 @@ impl QuadLight {
 
     fn sample_area_bent(&self, bend: Vec3, from: &Surface, u: [f32; 2]) -> Option<LightSample> {
         let target = shining(self.bent_surface(bend, u[0], u[1]), self.two_sided, from);
-        towards(from, &target, self.radiance, |wi| {
+        let sample = towards(from, &target, self.radiance, |wi| {
             pdf_by_area(self.area, from, wi, &target)
-        })
+        });
+        sample.map(|sample| sample.at(u))
     }
 
     fn bent_surface(&self, bend: Vec3, s: f32, t: f32) -> Surface {

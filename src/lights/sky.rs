@@ -24,14 +24,9 @@ impl SkyLight {
         let local = hemisphere::sample_cosine(u);
         let wi = Frame::new(from.n).to_world(local).normalize();
         let pdf = self.pdf(from, wi);
-        (pdf > 0.0).then(|| LightSample {
-            wi,
-            incident: Incident::Radiance {
-                li: self.radiance,
-                pdf,
-            },
-            shadow_ray: from.spawn(wi),
-            part: 0,
+        (pdf > 0.0).then(|| {
+            let li = self.radiance;
+            LightSample::from_afar(from, wi, Incident::Radiance { li, pdf })
         })
     }
 

@@ -73,6 +73,8 @@ impl SphereLight {
             },
             shadow_ray: from.spawn_to(&target),
             part: 0,
+            place: [0.0; 2],
+            n: target.n,
         })
     }
 

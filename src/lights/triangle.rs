@@ -26,11 +26,13 @@ impl TriangleLight {
         let Some(seen) = self.seen_from(from) else {
             let [b, c] = warps::sample_triangle(u);
             let target = shining(at(&self.triangle, b, c), self.two_sided, from);
-            return by_area(&target, self.triangle.area(), self.radiance, from);
+            let sample = by_area(&target, self.triangle.area(), self.radiance, from);
+            return sample.map(|sample| sample.at([b, c]));
         };
         let [b, c] = self.weights(from, seen.sample(u));
         let target = shining(at(&self.triangle, b, c), self.two_sided, from);
-        towards(from, &target, self.radiance, |_| seen.pdf() as f32)
+        let sample = towards(from, &target, self.radiance, |_| seen.pdf() as f32);
+        sample.map(|sample| sample.at([b, c]))
     }
 
     /// Density of [`TriangleLight::sample`] in 1/sr, in the direction `wi` that meets the light in

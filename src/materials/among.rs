@@ -1,6 +1,6 @@
 //! A material of which is known beforehand what it may be.
 
-use super::{Event, Material, Scattered};
+use super::{Event, Bsdf, BsdfSample};
 use crate::color::Rgb;
 use glam::Vec3;
 
@@ -20,57 +20,57 @@ pub mod kinds {
 /// A material among those of the set `KINDS`, a constant of [`kinds`]: code for the others is not
 /// there. A material outside the set is black.
 #[derive(Clone, Copy, Debug)]
-pub struct Among<const KINDS: u8>(pub Material);
+pub struct Among<const KINDS: u8>(pub Bsdf);
 
 impl<const KINDS: u8> Among<KINDS> {
     const SPECULAR: bool = KINDS & kinds::SPECULAR != 0;
     const GLOSS: bool = KINDS & kinds::GLOSS != 0;
 
-    /// See [`Material::f`].
+    /// See [`Bsdf::f`].
     #[inline]
     pub fn f(&self, wo: Vec3, wi: Vec3) -> Rgb {
         match &self.0 {
-            Material::Lambert(m) => m.f(wo, wi),
-            Material::Glossy(m) if Self::GLOSS => m.f(wo, wi),
-            Material::RoughGlass(m) if Self::GLOSS => m.f(wo, wi),
-            Material::Mixture(m) if Self::SPECULAR => m.f(wo, wi),
+            Bsdf::Lambert(m) => m.f(wo, wi),
+            Bsdf::Glossy(m) if Self::GLOSS => m.f(wo, wi),
+            Bsdf::RoughGlass(m) if Self::GLOSS => m.f(wo, wi),
+            Bsdf::Mixture(m) if Self::SPECULAR => m.f(wo, wi),
             _ => Rgb::BLACK,
         }
     }
 
-    /// See [`Material::scatter`].
+    /// See [`Bsdf::scatter`].
     #[inline]
-    pub fn scatter(&self, wo: Vec3, choice: f32, u: [f32; 2]) -> Option<Scattered> {
+    pub fn scatter(&self, wo: Vec3, choice: f32, u: [f32; 2]) -> Option<BsdfSample> {
         match &self.0 {
-            Material::Lambert(m) => m.scatter(wo, u),
-            Material::Mirror(m) if Self::SPECULAR => m.specular(wo).scatter(choice),
-            Material::Glass(m) if Self::SPECULAR => m.specular(wo).scatter(choice),
-            Material::Glossy(m) if Self::GLOSS => m.scatter(wo, u),
-            Material::RoughGlass(m) if Self::GLOSS => m.scatter(wo, choice, u),
-            Material::Mixture(m) if Self::SPECULAR => m.scatter(wo, choice, u),
+            Bsdf::Lambert(m) => m.scatter(wo, u),
+            Bsdf::Mirror(m) if Self::SPECULAR => m.specular(wo).scatter(choice),
+            Bsdf::Glass(m) if Self::SPECULAR => m.specular(wo).scatter(choice),
+            Bsdf::Glossy(m) if Self::GLOSS => m.scatter(wo, u),
+            Bsdf::RoughGlass(m) if Self::GLOSS => m.scatter(wo, choice, u),
+            Bsdf::Mixture(m) if Self::SPECULAR => m.scatter(wo, choice, u),
             _ => None,
         }
     }
 
-    /// See [`Material::pdf`].
+    /// See [`Bsdf::pdf`].
     #[inline]
     pub fn pdf(&self, wo: Vec3, wi: Vec3) -> f32 {
         match &self.0 {
-            Material::Lambert(m) => m.pdf(wo, wi),
-            Material::Glossy(m) if Self::GLOSS => m.pdf(wo, wi),
-            Material::RoughGlass(m) if Self::GLOSS => m.pdf(wo, wi),
-            Material::Mixture(m) if Self::SPECULAR => m.pdf(wo, wi),
+            Bsdf::Lambert(m) => m.pdf(wo, wi),
+            Bsdf::Glossy(m) if Self::GLOSS => m.pdf(wo, wi),
+            Bsdf::RoughGlass(m) if Self::GLOSS => m.pdf(wo, wi),
+            Bsdf::Mixture(m) if Self::SPECULAR => m.pdf(wo, wi),
             _ => 0.0,
         }
     }
 
-    /// See [`Material::smooth_event`].
+    /// See [`Bsdf::smooth_event`].
     #[inline]
     pub fn smooth_event(&self) -> Option<Event> {
         match &self.0 {
-            Material::Lambert(_) => Some(Event::Diffuse),
-            Material::Glossy(_) | Material::RoughGlass(_) if Self::GLOSS => Some(Event::Gloss),
-            Material::Mixture(m) if Self::SPECULAR => (!m.kd.is_black()).then_some(Event::Diffuse),
+            Bsdf::Lambert(_) => Some(Event::Diffuse),
+            Bsdf::Glossy(_) | Bsdf::RoughGlass(_) if Self::GLOSS => Some(Event::Gloss),
+            Bsdf::Mixture(m) if Self::SPECULAR => (!m.kd.is_black()).then_some(Event::Diffuse),
             _ => None,
         }
     }
@@ -84,14 +84,14 @@ mod tests {
     #[test]
     fn what_is_in_the_set_is_itself_and_what_is_not_is_black() {
         let (wo, wi) = (Vec3::new(0.6, 0.0, 0.8), Vec3::new(0.0, 0.6, 0.8));
-        let lambert = Material::Lambert(Lambert {
+        let lambert = Bsdf::Lambert(Lambert {
             albedo: Rgb::grey(0.5),
         });
-        let glossy = Material::Glossy(Glossy {
+        let glossy = Bsdf::Glossy(Glossy {
             reflectance: Rgb::WHITE,
             alpha: 0.5,
         });
-        let glass = Material::Glass(Glass { ior: 1.5 });
+        let glass = Bsdf::Glass(Glass { ior: 1.5 });
         let diffuse = Among::<{ kinds::DIFFUSE }>;
         assert_eq!(diffuse(lambert).f(wo, wi), lambert.f(wo, wi));
         assert_eq!(diffuse(lambert).pdf(wo, wi), lambert.pdf(wo, wi));

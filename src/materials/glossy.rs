@@ -1,7 +1,7 @@
 //! Reflection by a rough mirror.
 
 use super::ggx::Ggx;
-use super::{Event, Scattered};
+use super::{Event, BsdfSample};
 use crate::color::Rgb;
 use glam::{DVec3, Vec3};
 
@@ -18,7 +18,7 @@ pub struct Glossy {
     /// The share of light that each facet reflects, each channel in `[0, 1]`.
     pub reflectance: Rgb,
     /// The roughness α in `[1e-3, 1]`; smoother ones are mirrors, see
-    /// [`Material::glossy`](super::Material::glossy).
+    /// [`Bsdf::glossy`](super::Bsdf::glossy).
     pub alpha: f32,
 }
 
@@ -57,12 +57,12 @@ impl Glossy {
 
     /// Goes on in the direction of [`Glossy::sample`]. Of `f cos / pdf` the reflectance and
     /// `G1(wi)` remain, never more than 1.
-    pub fn scatter(&self, wo: Vec3, u: [f32; 2]) -> Option<Scattered> {
+    pub fn scatter(&self, wo: Vec3, u: [f32; 2]) -> Option<BsdfSample> {
         let wi = self
             .sample(wo, u)
             .filter(|_| !self.reflectance.is_black())?;
         let [_, i] = above(wo, wi)?;
-        Some(Scattered {
+        Some(BsdfSample {
             wi,
             weight: self.reflectance * self.ggx().g1(i) as f32,
             pdf: Some(self.pdf(wo, wi)),

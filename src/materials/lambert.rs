@@ -1,6 +1,6 @@
 //! Ideal diffuse reflection.
 
-use super::{Event, Scattered};
+use super::{Event, BsdfSample};
 use crate::color::Rgb;
 use crate::sampling::hemisphere;
 use glam::Vec3;
@@ -42,9 +42,9 @@ impl Lambert {
     }
 
     /// Goes on in the direction of [`Lambert::sample`], with weight `f cos / pdf`, the albedo.
-    pub fn scatter(&self, wo: Vec3, u: [f32; 2]) -> Option<Scattered> {
+    pub fn scatter(&self, wo: Vec3, u: [f32; 2]) -> Option<BsdfSample> {
         let wi = self.sample(wo, u).filter(|_| !self.albedo.is_black())?;
-        Some(Scattered {
+        Some(BsdfSample {
             wi,
             weight: self.albedo,
             pdf: Some(self.pdf(wo, wi)),

@@ -2,7 +2,7 @@
 
 use super::glass::refract;
 use super::mirror::reflect;
-use super::{Branch, Event, Lambert, Scattered, Specular};
+use super::{Branch, Event, Lambert, BsdfSample, Specular};
 use crate::color::Rgb;
 use glam::Vec3;
 
@@ -74,7 +74,7 @@ impl Mixture {
     }
 
     /// Goes on with one part, chosen by the mean of its channels.
-    pub fn scatter(&self, wo: Vec3, choice: f32, u: [f32; 2]) -> Option<Scattered> {
+    pub fn scatter(&self, wo: Vec3, choice: f32, u: [f32; 2]) -> Option<BsdfSample> {
         self.scatter_by(Choice::ByMean, wo, choice, u)
     }
 
@@ -107,10 +107,10 @@ impl Mixture {
         wo: Vec3,
         choice: f32,
         u: [f32; 2],
-    ) -> Option<Scattered> {
+    ) -> Option<BsdfSample> {
         let [d, s, t] = self.importances(rule);
         let whole = rule.whole([d, s, t]);
-        let specular = |wi, weight| Scattered {
+        let specular = |wi, weight| BsdfSample {
             wi,
             weight,
             pdf: None,
@@ -119,7 +119,7 @@ impl Mixture {
         let r = f64::from(choice) * whole;
         if r < d {
             let wi = self.diffuse().sample(wo, u)?;
-            Some(Scattered {
+            Some(BsdfSample {
                 wi,
                 weight: over(self.kd, d / whole),
                 pdf: Some(self.pdf_by(rule, wo, wi)),

@@ -1,4 +1,7 @@
-//! What a surface does with light: the BSDF, in local coordinates (`z` is the normal).
+//! Materials, and the BSDF that they have at a point, in local coordinates (`z` is the normal).
+//!
+//! A [`Material`] is what a scene file describes; its colours may be textures. Where a ray meets it, it is
+//! evaluated to a [`Bsdf`], which is what integrators evaluate and sample.
 //!
 //! A BSDF has a smooth part, a function `f` in 1/sr that can be evaluated and sampled, and a
 //! perfectly specular part, a short list of directions with weights. `f` does not contain the
@@ -10,28 +13,32 @@ pub mod ggx;
 mod glass;
 mod glossy;
 mod lambert;
+mod material;
 mod mirror;
 mod mixture;
 mod rough_glass;
 mod specular;
+mod texture;
 
 pub use among::{Among, kinds};
 pub use glass::Glass;
 pub use glossy::Glossy;
 pub use lambert::Lambert;
+pub use material::Material;
 pub use mirror::Mirror;
 pub use mixture::{Choice, Mixture};
 pub use rough_glass::RoughGlass;
 pub use specular::{Branch, Specular};
+pub use texture::{Color, Texture};
 
 use crate::color::Rgb;
 use crate::notation::Letter;
 use glam::Vec3;
 
-/// Everything a surface can be made of. To add a material: a file, a variant, and follow the
-/// compiler.
+/// The BSDF at a point of a surface, the distribution of the light that it scatters. To add one: a file,
+/// a variant, and follow the compiler.
 #[derive(Clone, Copy, Debug)]
-pub enum Material {
+pub enum Bsdf {
     /// Ideal diffuse reflection.
     Lambert(Lambert),
     /// Perfect specular reflection.
@@ -46,14 +53,14 @@ pub enum Material {
     Mixture(Mixture),
 }
 
-/// How a path goes on from a surface.
+/// A direction drawn from a BSDF: how a path goes on from a surface.
 #[derive(Clone, Copy, Debug)]
-pub struct Scattered {
+pub struct BsdfSample {
     /// The direction of its next segment, unit.
     pub wi: Vec3,
     /// `f |cos| / pdf`, with the probability of every choice in it; not black.
     pub weight: Rgb,
-    /// The density in 1/sr with which [`Material::scatter`] draws `wi` from the smooth part, the
+    /// The density in 1/sr with which [`Bsdf::scatter`] draws `wi` from the smooth part, the
     /// probability of choosing that part included; `None` for a perfectly specular direction.
     pub pdf: Option<f32>,
     /// What happened there.
@@ -85,15 +92,15 @@ impl From<Event> for Letter {
     }
 }
 
-impl Material {
+impl Bsdf {
     /// A rough mirror, or below α = [`SMOOTH`] a perfect one.
     ///
     /// * `alpha`: in `(0, 1]`.
-    pub fn glossy(reflectance: Rgb, alpha: f32) -> Material {
+    pub fn glossy(reflectance: Rgb, alpha: f32) -> Bsdf {
         if alpha < SMOOTH {
-            Material::Mirror(Mirror { reflectance })
+            Bsdf::Mirror(Mirror { reflectance })
         } else {
-            Material::Glossy(Glossy { reflectance, alpha })
+            Bsdf::Glossy(Glossy { reflectance, alpha })
         }
     }
 
@@ -101,11 +108,11 @@ impl Material {
     /// roughness bends light by less than 1e-4 radian.
     ///
     /// * `alpha`: in `(0, 1]`.
-    pub fn rough_glass(ior: f32, alpha: f32) -> Material {
+    pub fn rough_glass(ior: f32, alpha: f32) -> Bsdf {
         if alpha < SMOOTH || alpha * (ior - 1.0).abs() < 1e-4 {
-            Material::Glass(Glass { ior })
+            Bsdf::Glass(Glass { ior })
         } else {
-            Material::RoughGlass(RoughGlass { ior, alpha })
+            Bsdf::RoughGlass(RoughGlass { ior, alpha })
         }
     }
 
@@ -118,11 +125,11 @@ impl Material {
     ///
     /// * `choice`, `u`: in `[0, 1)`. `choice` decides between the parts of the BSDF, `u` on a
     ///   direction of a smooth one.
-    pub fn scatter(&self, wo: Vec3, choice: f32, u: [f32; 2]) -> Option<Scattered> {
+    pub fn scatter(&self, wo: Vec3, choice: f32, u: [f32; 2]) -> Option<BsdfSample> {
         self.any().scatter(wo, choice, u)
     }
 
-    /// Density in 1/sr with which [`Material::scatter`] draws `wi` from the smooth part; 0 where
+    /// Density in 1/sr with which [`Bsdf::scatter`] draws `wi` from the smooth part; 0 where
     /// there is none.
     pub fn pdf(&self, wo: Vec3, wi: Vec3) -> f32 {
         self.any().pdf(wo, wi)
@@ -136,9 +143,20 @@ impl Material {
     /// Which of the materials besides `Lambert` it is: one bit of [`kinds`].
     pub fn kind(&self) -> u8 {
         match self {
-            Material::Lambert(_) => kinds::DIFFUSE,
-            Material::Mirror(_) | Material::Glass(_) | Material::Mixture(_) => kinds::SPECULAR,
-            Material::Glossy(_) | Material::RoughGlass(_) => kinds::GLOSS,
+            Bsdf::Lambert(_) => kinds::DIFFUSE,
+            Bsdf::Mirror(_) | Bsdf::Glass(_) | Bsdf::Mixture(_) => kinds::SPECULAR,
+            Bsdf::Glossy(_) | Bsdf::RoughGlass(_) => kinds::GLOSS,
+        }
+    }
+
+    /// Its colours, in the order in which a scene file describes them.
+    pub(super) fn colors_mut(&mut self) -> [Option<&mut Rgb>; 3] {
+        match self {
+            Bsdf::Lambert(m) => [Some(&mut m.albedo), None, None],
+            Bsdf::Mirror(m) => [Some(&mut m.reflectance), None, None],
+            Bsdf::Glossy(m) => [Some(&mut m.reflectance), None, None],
+            Bsdf::Mixture(m) => [Some(&mut m.kd), Some(&mut m.ks), Some(&mut m.kt)],
+            Bsdf::Glass(_) | Bsdf::RoughGlass(_) => [None, None, None],
         }
     }
 
@@ -155,10 +173,10 @@ impl Material {
     /// The perfectly specular directions and their weights.
     pub fn specular(&self, wo: Vec3) -> Specular {
         match self {
-            Material::Mirror(m) => m.specular(wo),
-            Material::Glass(m) => m.specular(wo),
-            Material::Mixture(m) => m.specular(wo),
-            Material::Lambert(_) | Material::Glossy(_) | Material::RoughGlass(_) => {
+            Bsdf::Mirror(m) => m.specular(wo),
+            Bsdf::Glass(m) => m.specular(wo),
+            Bsdf::Mixture(m) => m.specular(wo),
+            Bsdf::Lambert(_) | Bsdf::Glossy(_) | Bsdf::RoughGlass(_) => {
                 Specular::default()
             }
         }
@@ -168,11 +186,11 @@ impl Material {
     /// each of their facets sends back, before some of it is lost between them.
     pub fn albedo(&self) -> Rgb {
         match self {
-            Material::Lambert(m) => m.albedo,
-            Material::Mirror(m) => m.reflectance,
-            Material::Glossy(m) => m.reflectance,
-            Material::Mixture(m) => m.k_tot(),
-            Material::Glass(_) | Material::RoughGlass(_) => Rgb::WHITE,
+            Bsdf::Lambert(m) => m.albedo,
+            Bsdf::Mirror(m) => m.reflectance,
+            Bsdf::Glossy(m) => m.reflectance,
+            Bsdf::Mixture(m) => m.k_tot(),
+            Bsdf::Glass(_) | Bsdf::RoughGlass(_) => Rgb::WHITE,
         }
     }
 }

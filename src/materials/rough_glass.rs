@@ -2,7 +2,7 @@
 
 use super::ggx::Ggx;
 use super::glass::eta;
-use super::{Event, Scattered, fresnel};
+use super::{Event, BsdfSample, fresnel};
 use crate::color::Rgb;
 use glam::{DVec3, Vec3};
 
@@ -20,7 +20,7 @@ pub struct RoughGlass {
     /// Index of refraction of the medium behind the surface.
     pub ior: f32,
     /// The roughness α in `[1e-3, 1]`; what is smoother is glass, see
-    /// [`Material::rough_glass`](super::Material::rough_glass).
+    /// [`Bsdf::rough_glass`](super::Bsdf::rough_glass).
     pub alpha: f32,
 }
 
@@ -61,10 +61,10 @@ impl RoughGlass {
 
     /// Goes on in the direction of [`RoughGlass::sample`]. Of `f cos / pdf` only `G1(wi)` remains,
     /// never more than 1.
-    pub fn scatter(&self, wo: Vec3, choice: f32, u: [f32; 2]) -> Option<Scattered> {
+    pub fn scatter(&self, wo: Vec3, choice: f32, u: [f32; 2]) -> Option<BsdfSample> {
         let wi = self.sample(wo, choice, u)?;
         let pdf = self.pdf(wo, wi);
-        (pdf > 0.0).then(|| Scattered {
+        (pdf > 0.0).then(|| BsdfSample {
             wi,
             weight: Rgb::grey(self.ggx().g1(wi.as_dvec3().abs()) as f32),
             pdf: Some(pdf),

@@ -1,6 +1,6 @@
 //! Perfectly specular directions with their weights.
 
-use super::{Event, Scattered};
+use super::{Event, BsdfSample};
 use crate::color::Rgb;
 use glam::Vec3;
 
@@ -53,8 +53,8 @@ impl Specular {
     }
 
     /// The same as a way for a path to go on.
-    pub fn scatter(&self, choice: f32) -> Option<Scattered> {
-        self.choose(choice).map(|branch| Scattered {
+    pub fn scatter(&self, choice: f32) -> Option<BsdfSample> {
+        self.choose(choice).map(|branch| BsdfSample {
             wi: branch.wi,
             weight: branch.weight,
             pdf: None,

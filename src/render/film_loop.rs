@@ -61,8 +61,8 @@ pub struct Rendered {
     pub largest: f32,
     /// True where it was stopped before its last sample.
     pub interrupted: bool,
-    /// The lamps that walks have met: see [`Tracer::lamps_met`](crate::scene::Tracer::lamps_met).
-    pub lamps_met: u64,
+    /// The lamps that walks have met: see [`Tracer::lights_met`](crate::scene::Tracer::lights_met).
+    pub lights_met: u64,
 }
 
 impl Rendered {
@@ -299,7 +299,7 @@ impl<'a, R: Recorder + ?Sized> Session<'a, R> {
             first_bad: watch.first,
             largest: watch.largest,
             interrupted: self.interrupted,
-            lamps_met: self.tiles.iter().fold(0, |met, tile| met | tile.lamps_met),
+            lights_met: self.tiles.iter().fold(0, |met, tile| met | tile.lights_met),
         }
     }
 }

@@ -21,7 +21,7 @@ pub(super) struct Tile<Notes> {
     pub(super) notes: Notes,
     pub(super) rays: RayCounts,
     pub(super) watch: Watch,
-    pub(super) lamps_met: u64,
+    pub(super) lights_met: u64,
 }
 
 /// The tiles of an image, whose samples are in `further` more pictures, too.
@@ -45,7 +45,7 @@ pub(super) fn tiles<Notes: Default>(
                 notes: Notes::default(),
                 rays: RayCounts::default(),
                 watch: Watch::default(),
-                lamps_met: 0,
+                lights_met: 0,
             }
         })
         .collect()
@@ -78,7 +78,7 @@ impl<Notes> Tile<Notes> {
                     if !whole {
                         break 'pixels;
                     }
-                    let (ray, stream) = camera_sample(&mut tracer, options, [x, y], sample);
+                    let (ray, stream) = camera_sample(scene, options, [x, y], sample);
                     let notes = &mut self.notes;
                     let li = recorder.record(&mut tracer, &ray, &stream, &mut parts, notes);
                     if self.watch.admits(li, BadSample { x, y, sample }) {
@@ -94,28 +94,28 @@ impl<Notes> Tile<Notes> {
             }
         }
         self.rays += tracer.counts();
-        self.lamps_met |= tracer.lamps_met();
+        self.lights_met |= tracer.lights_met();
         whole
     }
 }
 
 /// The camera ray of sample `sample` of the pixel in column `x` and row `y`, and its random numbers.
-/// The tracer looks at the scene when the ray does.
+/// The ray looks at the scene at a random moment, where anything moves.
 pub fn camera_sample(
-    tracer: &mut Tracer,
+    scene: &Scene,
     options: &Options,
     [x, y]: [u32; 2],
     sample: u32,
 ) -> (Ray, Stream) {
-    let scene = tracer.scene();
     let [width, height] = scene.size;
     let stream =
         Stream::with(options.sampler, options.seed, y * width + x, sample).fixing(options.fixed);
     let [u, v] = stream.at(0, Purpose::Pixel).two();
     let s = (x as f32 + u) / width as f32;
     let t = (y as f32 + v) / height as f32;
+    let mut ray = scene.camera.sample_ray(s, t, &stream);
     if scene.moves() {
-        tracer.at_time(stream.at(0, Purpose::Time).one());
+        ray.time = stream.at(0, Purpose::Time).one();
     }
-    (scene.camera.sample_ray(s, t, &stream), stream)
+    (ray, stream)
 }

@@ -10,15 +10,15 @@ use super::made_from::MadeFrom;
 use super::motion::{self, Way};
 use super::parts::Parts;
 use super::placement::Placement;
-use super::value::{Emission, Positive, Whole};
+use super::value::{Positive, Whole};
 use super::{
-    BuildReport, Casters, Contacts, Inventory, Object, Scene, Sky, Suggested, lamps, procedural,
+    BuildReport, Casters, Contacts, Inventory, Mapping, Object, Scene, Sky, Suggested, lamps, procedural,
     spacing,
 };
 use crate::camera::{Camera, Lens};
 use crate::geometry::{Bvh, Quad, Shape, Sphere};
 use crate::lights::{Light, LightChoice, SkyLight};
-use glam::{DMat3, DVec3, Vec3};
+use glam::{DMat3, DVec3, Vec2, Vec3};
 use std::path::Path;
 use std::sync::Arc;
 use std::time::Duration;
@@ -48,9 +48,9 @@ pub(super) fn assemble(from: &Arc<MadeFrom>) -> Checked<Scene> {
         origin,
         folder,
         shutter: said.camera.shutter.get().within("camera")?,
-        materials: materials::all(&said.materials).within("materials")?,
         ..Parts::default()
     };
+    parts.add_materials(&said.materials).within("materials")?;
     parts.note_black_sky(said, environment.is_some());
     for (i, light) in said.lights.iter().enumerate() {
         let light = parts.light(light).within(i).within("lights")?;
@@ -79,6 +79,9 @@ pub(super) fn assemble(from: &Arc<MadeFrom>) -> Checked<Scene> {
     let (shapes, object_of_shape, in_motion) =
         motion::part(parts.all, &parts.objects, &parts.spans, parts.lights.len());
     let placed = motion::placed(&shapes, &object_of_shape, in_motion.as_ref());
+    for (number, shape) in placed.iter().enumerate().rev() {
+        parts.objects[shape.object as usize].mapping.begin_at(number as u32);
+    }
     let contacts = Contacts::new(&placed, &parts.objects, parts.lights.len());
     let span = |light: usize| {
         let moves = in_motion.as_ref();
@@ -122,6 +125,11 @@ pub(super) fn assemble(from: &Arc<MadeFrom>) -> Checked<Scene> {
             time: Duration::ZERO,
         },
         kinds: kinds(&parts.objects),
+        textured_lights: (0..)
+            .zip(&parts.objects)
+            .filter(|(_, object)| object.emission.texture().is_some())
+            .filter_map(|(id, object)| Some((object.light?, id)))
+            .collect(),
         dark: inventory.is_dark(),
         inventory,
         objects: parts.objects,
@@ -133,8 +141,8 @@ pub(super) fn assemble(from: &Arc<MadeFrom>) -> Checked<Scene> {
 }
 
 fn kinds(objects: &[Object]) -> u8 {
-    let materials = objects.iter().filter_map(|object| object.material);
-    materials.fold(0, |set, material| set | material.kind())
+    let materials = objects.iter().filter_map(|object| object.material.as_ref());
+    materials.fold(0, |set, material| set | material.brightest().kind())
 }
 
 /// Checks the size of an image.
@@ -170,11 +178,12 @@ impl Parts<'_> {
         let material = match &said.material {
             Some(name) => {
                 self.used.insert(name.clone());
-                Some(*named(&self.materials, name).within("material")?)
+                Some(named(&self.materials, name).within("material")?.clone())
             }
             None => None,
         };
-        let radiance = said.emits.map(Emission::get).transpose().within("emits")?;
+        let emits = said.emits.as_ref().map(|said| said.build(self));
+        let radiance = emits.transpose().within("emits")?;
         if said.two_sided.is_some() {
             check_two_sided(said).within("two_sided")?;
         }
@@ -182,10 +191,10 @@ impl Parts<'_> {
         check(seen, "needs a `material`, or `emits`, or both")?;
         let way = Way::new(self.shutter, said.motion).within("motion")?;
         let place = Placement::new(&said.transform).within("transform")?;
-        let shapes = self.shapes(&said.shape, &place.shifted(way.start))?;
+        let (shapes, mapping) = self.shapes(&said.shape, &place.shifted(way.start))?;
         way.check(&shapes).within("motion")?;
         if let Some(material) = &material {
-            self.inventory.count(material, &shapes);
+            self.inventory.count(material.brightest(), &shapes);
         }
         self.note_inside_out(number, material.as_ref(), radiance.is_some(), &shapes);
         let two_sided = said.two_sided.unwrap_or(false);
@@ -193,7 +202,7 @@ impl Parts<'_> {
             radiance,
             two_sided,
         });
-        self.push(shapes, material, emission, way.span);
+        self.push(shapes, material, emission, way.span, &mapping);
         self.spans.resize(self.objects.len(), way.span);
         self.numbers.resize(self.objects.len(), number);
         if said.motion.0 != [0.0; 3] {
@@ -204,24 +213,33 @@ impl Parts<'_> {
         Ok(())
     }
 
-    fn shapes(&mut self, said: &said::Shape, place: &Placement) -> Checked<Vec<Shape>> {
+    fn shapes(&mut self, said: &said::Shape, place: &Placement) -> Checked<(Vec<Shape>, Mapping)> {
         use said::Shape as Said;
-        match said {
+        let mirrored = place.mirrors();
+        Ok(match said {
             Said::Sphere {
                 center,
                 radius,
                 inward,
             } => {
                 let sphere = self.sphere(center.get()?, radius.get()?, *inward, place);
-                sphere.map(|sphere| vec![sphere]).within("sphere")
+                (vec![sphere.within("sphere")?], place.of_sphere(*inward))
             }
             Said::Quad { corner, u, v } => {
                 let quad = self.quad(corner.get()?, u.get()?, v.get()?, place);
-                quad.map(|quad| vec![quad]).within("quad")
+                let mapping = Mapping::flat(mirrored.then(|| vec![UPRIGHT]), mirrored);
+                (vec![quad.within("quad")?], mapping)
             }
-            Said::Triangle { a, b, c } => self.triangle([*a, *b, *c], place).within("triangle"),
-            Said::Box { min, max } => self.cuboid(min.get()?, max.get()?, place).within("box"),
-            Said::Mesh { file } => self.mesh_file(file, place).within("file").within("mesh"),
+            Said::Triangle { a, b, c } => {
+                let triangle = self.triangle([*a, *b, *c], place).within("triangle")?;
+                let mapping = Mapping::flat(mirrored.then(|| vec![UPRIGHT]), mirrored);
+                (triangle, mapping)
+            }
+            Said::Box { min, max } => {
+                let sides = self.cuboid(min.get()?, max.get()?, place).within("box")?;
+                (sides, Mapping::flat(Some(BOX.to_vec()), mirrored))
+            }
+            Said::Mesh { file } => self.mesh_file(file, place).within("file").within("mesh")?,
             Said::BumpySphere {
                 center,
                 radius,
@@ -230,9 +248,9 @@ impl Parts<'_> {
             } => {
                 let (columns, rows) = (columns.get()?, rows.get()?);
                 let mesh = procedural::bumpy_sphere(center.get()?, radius.get()?, columns, rows);
-                Ok(self.mesh(mesh, place))
+                self.mesh(mesh, place)
             }
-        }
+        })
     }
 
     fn sphere(
@@ -285,6 +303,20 @@ impl Parts<'_> {
         sides.into_iter().map(quad).collect()
     }
 }
+
+/// Texture coordinates of a quad or triangle whose edges are `u` and `v`.
+const UPRIGHT: [Vec2; 3] = [Vec2::ZERO, Vec2::X, Vec2::Y];
+
+/// Texture coordinates of the sides of a box in the order of `Parts::cuboid`: seen from outside each is
+/// upright, with `v` along `+y`, and along `-z` on top and `+z` below.
+const BOX: [[Vec2; 3]; 6] = [
+    UPRIGHT,
+    UPRIGHT,
+    [Vec2::X, Vec2::ONE, Vec2::ZERO],
+    [Vec2::Y, Vec2::ZERO, Vec2::ONE],
+    [Vec2::X, Vec2::ONE, Vec2::ZERO],
+    [Vec2::ONE, Vec2::Y, Vec2::X],
+];
 
 /// A complaint where light on both sides has no meaning.
 fn check_two_sided(said: &said::Object) -> Checked<()> {

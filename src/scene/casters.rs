@@ -4,7 +4,7 @@ use super::Object;
 use super::ball::{Ball, Sight};
 use super::images::{Image, LampInBall, Way};
 use crate::geometry::Shape;
-use crate::materials::Material;
+use crate::materials::{Bsdf, Material};
 use crate::sampling::{frame::Frame, warps};
 use arrayvec::ArrayVec;
 use glam::Vec3;
@@ -72,7 +72,7 @@ impl Casters {
             let its = all.filter(move |(owner, _)| **owner == id);
             its.map(|(_, shape)| *shape).collect::<Vec<_>>()
         };
-        let specular = among(|object| object.material.is_some_and(|m| !m.is_smooth()));
+        let specular = among(|object| object.material.as_ref().is_some_and(|m| !m.brightest().is_smooth()));
         let bright = among(|object| object.light.is_some());
         if specular.len() > MOST {
             return Casters::default();
@@ -85,10 +85,10 @@ impl Casters {
         let caster = |id: u32| {
             let shapes = shapes_of(id);
             let ball = Ball::around(&shapes)?;
-            let material = objects[id as usize].material;
+            let material = objects[id as usize].material.as_ref().map(Material::brightest);
             let ways = match (shapes.as_slice(), material) {
-                ([Shape::Sphere(_)], Some(Material::Mirror(_))) => MIRROR.to_vec(),
-                ([Shape::Sphere(_)], Some(Material::Glass(glass))) => through(glass.ior).to_vec(),
+                ([Shape::Sphere(_)], Some(Bsdf::Mirror(_))) => MIRROR.to_vec(),
+                ([Shape::Sphere(_)], Some(Bsdf::Glass(glass))) => through(glass.ior).to_vec(),
                 _ => Vec::new(),
             };
             let seen = ways.iter().flat_map(|way| {
@@ -216,21 +216,19 @@ mod tests {
     use super::*;
     use crate::color::Rgb;
     use crate::geometry::Sphere;
-    use crate::materials::{Glass, Lambert, Material, Mirror};
+    use crate::materials::{Bsdf, Glass, Lambert, Material, Mirror};
     use crate::sampling::stream::{Purpose, Stream};
     use crate::stats::Estimate;
 
     fn glass() -> Material {
-        Material::Glass(Glass { ior: 1.5 })
+        Bsdf::Glass(Glass { ior: 1.5 }).into()
     }
 
     /// Balls on the x axis.
     fn casters<const N: usize>(balls: [(Material, f32, f32); N]) -> Casters {
         let object = |(material, _, _)| Object {
             material: Some(material),
-            emission: Rgb::BLACK,
-            two_sided: false,
-            light: None,
+            ..Object::default()
         };
         let shape = |(_, x, radius)| Shape::Sphere(Sphere::new(Vec3::new(x, 0.0, 0.0), radius));
         let owners: Vec<u32> = (0..N as u32).collect();
@@ -239,7 +237,7 @@ mod tests {
 
     #[test]
     fn only_what_focuses_and_is_not_around_us() {
-        let white = Material::Lambert(Lambert { albedo: Rgb::WHITE });
+        let white = Bsdf::Lambert(Lambert { albedo: Rgb::WHITE }).into();
         let casters = casters([(glass(), 3.0, 1.0), (white, -3.0, 1.0), (glass(), 0.0, 9.0)]);
         let seen = casters.seen_from(Vec3::ZERO);
         assert_eq!((casters.len(), seen.cones.len()), (2, 1));
@@ -276,17 +274,16 @@ mod tests {
     #[test]
     fn directions_to_lamps_follow_their_density_too() {
         // A lamp behind a glass ball that is before us, and a mirror ball beside us.
-        let mirror = Material::Mirror(Mirror {
+        let mirror = Bsdf::Mirror(Mirror {
             reflectance: Rgb::WHITE,
         });
         let object = |material: Option<Material>| Object {
-            material,
-            emission: Rgb::BLACK,
-            two_sided: false,
             light: material.is_none().then_some(0),
+            material,
+            ..Object::default()
         };
         let ball = |x, y, radius| Shape::Sphere(Sphere::new(Vec3::new(x, y, 0.0), radius));
-        let objects = [Some(glass()), Some(mirror), None].map(object);
+        let objects = [Some(glass()), Some(mirror.into()), None].map(object);
         let shapes = [
             ball(1.5, 0.0, 1.0),
             ball(0.0, 4.0, 1.5),

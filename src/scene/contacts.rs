@@ -10,7 +10,7 @@
 //! Scenes without such places pay one branch for each ray.
 
 use super::Object;
-use super::tracer::Hit;
+use super::interaction::Hit;
 use crate::geometry::{Aabb, Crossing, PreparedRay, Ray, Shape, Surface, Triangle};
 use glam::{DVec3, Vec3};
 
@@ -129,31 +129,25 @@ impl Contacts {
 
     /// What a ray meets where `hit` is what it seems to meet first.
     #[inline(never)]
-    pub(super) fn met<'a>(
-        &self,
-        ray: &Ray,
-        time: f32,
-        hit: Hit<'a>,
-        objects: &'a [Object],
-    ) -> Hit<'a> {
+    pub(super) fn met(&self, ray: &Ray, hit: Hit, objects: &[Object]) -> Hit {
         let place = self.places[hit.shape as usize];
         if place == NONE {
             return hit;
         }
-        let endless = Ray::new(ray.origin, ray.direction);
+        let endless = Ray::new(ray.origin, ray.direction).at_time(ray.time);
         let prepared = PreparedRay::from(&endless);
         let here = &self.all[place as usize];
         let places = std::iter::once(&place).chain(&here.others);
-        let crossed = places.filter_map(|place| self.cross(*place, &endless, &prepared, time));
+        let crossed = places.filter_map(|place| self.cross(*place, &endless, &prepared));
         let mut crossed: Vec<Crossed> = crossed.collect();
         crossed.sort_by_key(|c| self.rank(c.place));
         let lamp = crossed.iter().find(|c| {
             self.shines_towards(c, ray, objects)
-                && self.lamp_is_first(c, &endless, &prepared, time, objects)
+                && self.lamp_is_first(c, &endless, &prepared, objects)
         });
         let first = match lamp {
             Some(lamp) => lamp,
-            None if hit.emitted(-ray.direction).is_black() => return hit,
+            None if !shines(&objects[hit.object as usize], &hit, ray) => return hit,
             // A lamp that something hides.
             None => {
                 let along =
@@ -167,9 +161,9 @@ impl Contacts {
         };
         let contested = &self.all[first.place as usize];
         Hit {
-            t: first.crossing.t,
+            crossing: first.crossing,
             surface: first.surface,
-            object: &objects[contested.shape.object as usize],
+            object: contested.shape.object,
             shape: contested.id,
         }
     }
@@ -182,7 +176,6 @@ impl Contacts {
         light: usize,
         part: u32,
         shadow_ray: &Ray,
-        time: f32,
         objects: &[Object],
     ) -> bool {
         let Some(first) = self.first_of_light[light] else {
@@ -192,10 +185,10 @@ impl Contacts {
         if place == NONE {
             return true;
         }
-        let endless = Ray::new(shadow_ray.origin, shadow_ray.direction);
+        let endless = Ray::new(shadow_ray.origin, shadow_ray.direction).at_time(shadow_ray.time);
         let prepared = PreparedRay::from(&endless);
-        match self.cross(place, &endless, &prepared, time) {
-            Some(lamp) => self.lamp_is_first(&lamp, &endless, &prepared, time, objects),
+        match self.cross(place, &endless, &prepared) {
+            Some(lamp) => self.lamp_is_first(&lamp, &endless, &prepared, objects),
             // Past the rim by a rounding, where there is nothing to compare.
             None => true,
         }
@@ -206,7 +199,6 @@ impl Contacts {
         lamp: &Crossed,
         ray: &Ray,
         prepared: &PreparedRay,
-        time: f32,
         objects: &[Object],
     ) -> bool {
         let n = lamp.surface.n;
@@ -214,7 +206,7 @@ impl Contacts {
         let rounding = f64::from(n.abs().dot(lamp.surface.error));
         let others = &self.all[lamp.place as usize].others;
         others.iter().all(|&other| {
-            let Some(other) = self.cross(other, ray, prepared, time) else {
+            let Some(other) = self.cross(other, ray, prepared) else {
                 return true;
             };
             let before = lamp.shape.height(other.p) * towards_origin;
@@ -233,11 +225,11 @@ impl Contacts {
 
     fn shines_towards(&self, crossed: &Crossed, ray: &Ray, objects: &[Object]) -> bool {
         let object = &objects[self.all[crossed.place as usize].shape.object as usize];
-        object.light.is_some() && (object.two_sided || crossed.surface.n.dot(ray.direction) < 0.0)
+        object.light.is_some() && object.shines_from(crossed.surface.n, -ray.direction)
     }
 
-    fn cross(&self, place: u32, ray: &Ray, prepared: &PreparedRay, time: f32) -> Option<Crossed> {
-        let shape = self.all[place as usize].shape.at(time);
+    fn cross(&self, place: u32, ray: &Ray, prepared: &PreparedRay) -> Option<Crossed> {
+        let shape = self.all[place as usize].shape.at(ray.time);
         let crossing = shape.cross(prepared, f32::MAX)?;
         let surface = shape.surface(ray, crossing);
         // The distance is rounded to `f32`; one step along the ray puts the point on the surface.
@@ -252,6 +244,11 @@ impl Contacts {
             shape,
         })
     }
+}
+
+/// True where a hit is of a light, on a side that shines.
+fn shines(object: &Object, hit: &Hit, ray: &Ray) -> bool {
+    object.light.is_some() && object.shines_from(hit.surface.n, -ray.direction)
 }
 
 /// Calls `meet` with all pairs, at least one of them a lamp, whose boxes are not farther apart than

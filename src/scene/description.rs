@@ -4,6 +4,7 @@
 //! refuses fields that do not exist; each value is of a type that says what is allowed (see
 //! [`value`](super::value)). What several values must have in common is checked by [`super::build`].
 
+use super::textures::Textured;
 use super::value::{
     Albedo, Direction, Emission, Finite, Fov, Ior, NotNegative, Positive, Radiance, Roughness,
     Scale, Shutter, Triple, Whole,
@@ -54,7 +55,11 @@ impl Description {
                 Shape::Mesh { file } => Some(file.as_path()),
                 _ => None,
             });
-        meshes.chain(self.image())
+        let colors = self.materials.values().flat_map(Material::colors);
+        let textures = colors.flatten().filter_map(Textured::file);
+        let emissions = self.objects.iter().filter_map(|object| object.emits.as_ref());
+        let lights = emissions.filter_map(Textured::file);
+        meshes.chain(textures).chain(lights).chain(self.image())
     }
 
     /// The image around the scene, where there is one.
@@ -149,12 +154,12 @@ pub enum Material {
     /// Ideal diffuse reflection.
     Lambert {
         /// Share of light reflected.
-        albedo: Albedo,
+        albedo: Textured<Albedo>,
     },
     /// A perfect mirror.
     Mirror {
         /// Share of light reflected.
-        reflectance: Albedo,
+        reflectance: Textured<Albedo>,
     },
     /// A smooth transparent medium.
     Glass {
@@ -164,7 +169,7 @@ pub enum Material {
     /// A rough mirror.
     Glossy {
         /// Share of light that each facet reflects.
-        reflectance: Albedo,
+        reflectance: Textured<Albedo>,
         /// The roughness of the facets.
         roughness: Roughness,
     },
@@ -178,15 +183,29 @@ pub enum Material {
     /// Diffuse, specular and transmitted light in constant shares.
     Mixture {
         /// Share scattered diffusely.
-        kd: Albedo,
+        kd: Textured<Albedo>,
         /// Share mirrored.
-        ks: Albedo,
+        ks: Textured<Albedo>,
         /// Share refracted.
-        kt: Albedo,
+        kt: Textured<Albedo>,
         /// Index of refraction behind the surface.
         #[serde(default = "usual_glass")]
         ior: Ior,
     },
+}
+
+impl Material {
+    /// Its colours; `None` fills the places of those that it has not.
+    pub fn colors(&self) -> [Option<&Textured<Albedo>>; 3] {
+        match self {
+            Material::Lambert { albedo } => [Some(albedo), None, None],
+            Material::Mirror { reflectance } | Material::Glossy { reflectance, .. } => {
+                [Some(reflectance), None, None]
+            }
+            Material::Mixture { kd, ks, kt, .. } => [Some(kd), Some(ks), Some(kt)],
+            Material::Glass { .. } | Material::RoughGlass { .. } => [None; 3],
+        }
+    }
 }
 
 fn usual_glass() -> Ior {
@@ -200,7 +219,7 @@ pub struct Object {
     /// The name of a material; without one the surface absorbs everything.
     pub material: Option<String>,
     /// Radiance emitted on the front side.
-    pub emits: Option<Emission>,
+    pub emits: Option<Textured<Emission>>,
     /// True for light on both sides; of quads, triangles and meshes.
     pub two_sided: Option<bool>,
     /// Where the shape is put.

@@ -4,7 +4,7 @@ use super::Scene;
 use super::motion::InMotion;
 use crate::camera::Lens;
 use crate::geometry::Shape;
-use crate::materials::{Material, kinds};
+use crate::materials::{Bsdf, kinds};
 
 /// A way of light that a scene may call for, or may not.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash, serde::Serialize)]
@@ -134,7 +134,7 @@ pub enum Sky {
 
 impl Inventory {
     /// Counts an object.
-    pub(super) fn count(&mut self, material: &Material, shapes: &[Shape]) {
+    pub(super) fn count(&mut self, material: &Bsdf, shapes: &[Shape]) {
         if material.albedo().is_black() {
             return;
         }
@@ -142,10 +142,10 @@ impl Inventory {
         let flat = matches!(shapes, [Shape::Quad(_) | Shape::Triangle(_)]);
         self.flat += usize::from(flat);
         match material {
-            Material::Lambert(_) => self.diffuse += 1,
-            Material::Mirror(_) | Material::Glass(_) => self.specular += 1,
-            Material::Glossy(_) | Material::RoughGlass(_) => self.glossy += 1,
-            Material::Mixture(m) => {
+            Bsdf::Lambert(_) => self.diffuse += 1,
+            Bsdf::Mirror(_) | Bsdf::Glass(_) => self.specular += 1,
+            Bsdf::Glossy(_) | Bsdf::RoughGlass(_) => self.glossy += 1,
+            Bsdf::Mixture(m) => {
                 self.diffuse += usize::from(!m.kd.is_black());
                 self.specular += usize::from(!(m.ks + m.kt).is_black());
             }

@@ -1,6 +1,6 @@
 //! Lights, as a scene is put together: those without a surface, shapes that shine, what is beyond.
 
-use super::Object;
+use super::{Mapping, Object};
 use super::description as said;
 use super::field::{Checked, Problem, Within, check};
 use super::image_file;
@@ -12,7 +12,7 @@ use crate::lights::{
     DirectionalLight, EnvironmentLight, Light, MeshLight, PointLight, QuadLight, SphereLight,
     TriangleLight,
 };
-use crate::materials::Material;
+use crate::materials::{Color, Material};
 use glam::Vec3;
 use std::path::Path;
 
@@ -49,22 +49,27 @@ impl Parts<'_> {
         material: Option<Material>,
         emission: Option<Emission>,
         span: Vec3,
+        mapping: &Mapping,
     ) {
+        let mut which: Vec<usize> = (0..shapes.len()).collect();
         let mut together = shapes.len();
         if let Some(Emission { two_sided, .. }) = emission {
-            shapes.retain(|shape| self.lamp_places.insert(place_of(shape, span, two_sided)));
+            which.retain(|&i| self.lamp_places.insert(place_of(&shapes[i], span, two_sided)));
+            shapes = which.iter().map(|&i| shapes[i]).collect();
             self.hidden_lamps += together - shapes.len();
             if !matches!(shapes.first(), Some(Shape::Triangle(_))) {
                 together = 1;
             }
         }
-        for shapes in shapes.chunks(together.max(1)) {
+        let together = together.max(1);
+        for (shapes, which) in shapes.chunks(together).zip(which.chunks(together)) {
             let object = self.objects.len() as u32;
-            let light = emission.and_then(|emission| emission.light(shapes));
-            let emission = emission.filter(|_| light.is_some());
+            let light = emission.as_ref().and_then(|emission| emission.light(shapes));
+            let emission = emission.as_ref().filter(|_| light.is_some());
             self.objects.push(Object {
-                material,
-                emission: emission.map_or(Rgb::BLACK, |e| e.radiance),
+                material: material.clone(),
+                emission: emission.map_or(Color::Constant(Rgb::BLACK), |e| e.radiance.clone()),
+                mapping: mapping.some(which),
                 two_sided: emission.is_some_and(|e| e.two_sided),
                 light: light.as_ref().map(|_| self.lights.len() as u32),
             });
@@ -75,19 +80,15 @@ impl Parts<'_> {
 }
 
 /// What a surface sends out.
-#[derive(Clone, Copy)]
 pub(super) struct Emission {
-    pub(super) radiance: Rgb,
+    pub(super) radiance: Color,
     pub(super) two_sided: bool,
 }
 
 impl Emission {
     /// The light of one shape, or of some triangles; `None` where these have no area.
-    fn light(self, shapes: &[Shape]) -> Option<Light> {
-        let Emission {
-            radiance,
-            two_sided,
-        } = self;
+    fn light(&self, shapes: &[Shape]) -> Option<Light> {
+        let (radiance, two_sided) = (self.radiance.brightest(), self.two_sided);
         Some(match *shapes {
             [Shape::Sphere(sphere)] => Light::Sphere(SphereLight { sphere, radiance }),
             [Shape::Triangle(triangle)] => Light::Triangle(TriangleLight {

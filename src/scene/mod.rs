@@ -15,8 +15,10 @@ pub mod field;
 pub mod gallery;
 pub mod image_file;
 mod images;
+mod interaction;
 mod lamps;
 mod made_from;
+mod mapping;
 pub mod mesh_file;
 mod motion;
 mod parts;
@@ -25,6 +27,7 @@ mod procedural;
 pub mod read;
 mod solids;
 mod spacing;
+pub mod textures;
 pub mod tracer;
 mod tree;
 pub mod value;
@@ -34,18 +37,21 @@ pub use effects::{Effect, Effects, Inventory, Sky};
 pub use gallery::load;
 pub use read::SceneError;
 pub use spacing::Coarse;
-pub use tracer::{Hit, RayCounts, Tracer};
+pub use interaction::Interaction;
+pub use mapping::Mapping;
+pub use tracer::{RayCounts, Tracer};
 
 use crate::camera::Camera;
 use crate::color::Rgb;
 use crate::geometry::Bvh;
 use crate::lights::{Light, LightChoice};
-use crate::materials::Material;
+use crate::materials::{Color, Material};
 use contacts::Contacts;
 use description::Description;
 use glam::Vec3;
 use made_from::MadeFrom;
 use motion::InMotion;
+use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 use std::time::Duration;
@@ -88,6 +94,8 @@ pub struct Scene {
     kinds: u8,
     /// True where nothing shines and nobody need look.
     dark: bool,
+    /// For each light whose radiance differs from point to point, its object.
+    textured_lights: BTreeMap<u32, u32>,
     objects: Vec<Object>,
     /// For each shape of the hierarchy the object it belongs to.
     object_of_shape: Vec<u32>,
@@ -170,16 +178,26 @@ impl Scene {
 }
 
 /// What all points of an object have in common.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Debug, Default)]
 pub struct Object {
     /// What it is made of; `None` absorbs everything.
     pub material: Option<Material>,
     /// Radiance it emits, on its front side or on both; black for most.
-    pub emission: Rgb,
+    pub emission: Color,
+    /// Where textures are on it.
+    pub mapping: Mapping,
     /// True where it emits on both sides.
     pub two_sided: bool,
     /// The index in [`Scene::lights`] of the light that it is; `None` where it emits nothing.
     pub light: Option<u32>,
+}
+
+impl Object {
+    /// True where the side of the normal `n` that is seen from `wo` emits light.
+    #[inline]
+    pub(super) fn shines_from(&self, n: Vec3, wo: Vec3) -> bool {
+        self.two_sided || n.dot(wo) > 0.0
+    }
 }
 
 /// The settings a scene file suggests; the command line has the last word.

@@ -1,5 +1,6 @@
 //! Transforms of shapes.
 
+use super::Mapping;
 use super::description as said;
 use super::field::{Checked, Within};
 use glam::{DMat3, DVec3};
@@ -45,6 +46,14 @@ impl Placement {
     pub(super) fn mirrors(&self) -> bool {
         let signs = self.scale.to_array().map(|s| s < 0.0);
         signs[0] ^ signs[1] ^ signs[2]
+    }
+
+    /// Texture coordinates of a sphere that is put here.
+    pub(super) fn of_sphere(&self, inward: bool) -> Mapping {
+        let outwards = if inward { -1.0 } else { 1.0 };
+        Mapping::Sphere {
+            turn: (self.linear.transpose() * (outwards / self.scale.x.abs())).as_mat3(),
+        }
     }
 
     /// The factor all lengths change by, if it is one.

@@ -2,16 +2,16 @@
 
 use super::Object;
 use crate::geometry::{Aabb, Shape};
-use crate::materials::Material;
+use crate::materials::{Bsdf, Material};
 use glam::{DVec2, DVec3, Vec3, Vec3Swizzles};
 use std::collections::HashMap;
 
 /// True where light enters what lies behind the surface.
 pub(super) fn refracts(material: &Material) -> bool {
-    match material {
-        Material::Glass(_) | Material::RoughGlass(_) => true,
-        Material::Mixture(mixture) => !mixture.kt.is_black(),
-        Material::Lambert(_) | Material::Mirror(_) | Material::Glossy(_) => false,
+    match material.brightest() {
+        Bsdf::Glass(_) | Bsdf::RoughGlass(_) => true,
+        Bsdf::Mixture(mixture) => !mixture.kt.is_black(),
+        Bsdf::Lambert(_) | Bsdf::Mirror(_) | Bsdf::Glossy(_) => false,
     }
 }
 
@@ -203,8 +203,8 @@ pub(super) fn touching(all: &[(Shape, u32)], objects: &[Object], spans: &[Vec3])
         let count = rest.iter().take_while(|(_, o)| o == object).count();
         let (its, others) = rest.split_at(count);
         rest = others;
-        let material = objects[*object as usize].material;
-        if material.is_some_and(|m| refracts(&m)) {
+        let material = objects[*object as usize].material.as_ref();
+        if material.is_some_and(refracts) {
             if has_twins(its) {
                 found.push([*object; 2]);
             }

@@ -8,6 +8,8 @@
 //!   enum's own name, such as `#[serde(rename = "kind of light")]`;
 //! * a field whose name begins with `a `, such as `#[serde(rename = "a shape")]`, is an enum whose key
 //!   stands beside the struct's other keys;
+//! * a variant whose name begins with `a `, such as `#[serde(rename = "a colour")]`, is what stands there
+//!   if that is no table;
 //! * a tuple struct is a list of numbers, or one number for all; its name is what is expected there.
 
 use super::field::{Checked, Problem, Within};
@@ -208,6 +210,13 @@ impl<'de> Deserializer<'de> for Value<'_> {
         variants: &'static [&'static str],
         visitor: V,
     ) -> Checked<V::Value> {
+        if let (Some(name), Value::Said(said)) = (variants.iter().find(|v| v.starts_with("a ")), &self)
+            && !said.is_table()
+        {
+            return visitor.visit_enum(Variant(name, self));
+        }
+        let named: Vec<&str> = variants.iter().copied().filter(|v| !v.starts_with("a ")).collect();
+        let variants = named.as_slice();
         let (mut entries, beside) = self.entries(variants)?;
         if let Some((key, _)) = entries.iter().find(|(key, _)| !variants.contains(key)) {
             return Err(unknown(key, &[&beside, variants].concat()).within(*key));

@@ -97,6 +97,14 @@ values! {
         check(!flat, what).map(|()| scale)
     }
 
+    /// How often something is repeated in two directions.
+    Repeat([f64; 2]) by Two::uv; times -> DVec2 {
+        for (x, name) in times.into_iter().zip(["u", "v"]) {
+            check(Positive(x).get().is_ok(), format_args!("must be greater than 0 along {name}, not {x}"))?;
+        }
+        Ok(DVec2::from(times))
+    }
+
     /// A point or a vector in space whose coordinates `f32` can hold.
     #[derive(Default)]
     Triple([f64; 3]) by plain; xyz -> DVec3 {
@@ -158,6 +166,30 @@ struct Color(f64, f64, f64);
 impl Color {
     fn rgb(self) -> [f64; 3] {
         [self.0, self.1, self.2]
+    }
+}
+
+impl Default for Repeat {
+    fn default() -> Self {
+        Repeat([1.0; 2])
+    }
+}
+
+impl Repeat {
+    /// Along `u` and `v`, whatever the rule says.
+    pub(super) fn times(self) -> DVec2 {
+        DVec2::from(self.0)
+    }
+}
+
+/// A number for each of two directions.
+#[derive(Deserialize)]
+#[serde(rename = "2 numbers in brackets, or one number for both")]
+struct Two(f64, f64);
+
+impl Two {
+    fn uv(self) -> [f64; 2] {
+        [self.0, self.1]
     }
 }
 

@@ -1,7 +1,6 @@
 //! The world with three dimensions.
 
-use super::{Dimension, Ray, Space};
-use crate::geometry;
+use super::{Dimension, Space};
 use crate::numeric;
 use crate::sampling::frame::Frame;
 use crate::sampling::hemisphere;
@@ -82,14 +81,5 @@ impl Space for Solid {
 
     fn offset(p: Vec3, error: Vec3, n: Vec3, direction: Vec3) -> Vec3 {
         numeric::offset_origin(p, error, n, direction)
-    }
-}
-
-impl From<&geometry::Ray> for Ray<Solid> {
-    fn from(ray: &geometry::Ray) -> Self {
-        Ray {
-            origin: ray.origin,
-            direction: ray.direction,
-        }
     }
 }

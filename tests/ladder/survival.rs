@@ -3,7 +3,7 @@
 use super::{CRITICAL, accept, radiance};
 use halfdisk::color::Rgb;
 use halfdisk::estimators::survival::{Furnace, Game};
-use halfdisk::integrators::walkable::Walkable;
+use halfdisk::integrators::world::World;
 use halfdisk::integrators::{Kajiya, Path, Roulette, Survival};
 use halfdisk::sampling::stream::{Purpose, Stream};
 use halfdisk::scene::gallery;
@@ -23,7 +23,7 @@ fn unweighted(albedo: f64, q: f32, stream: &Stream) -> f64 {
     let mut beta = Rgb::WHITE;
     let mut li = 0.0;
     for place in 1.. {
-        Walkable::<Flat>::follow(&mut room, &Furnace::eye(), 1);
+        World::<Flat>::follow(&mut room, &Furnace::eye(), 1);
         li += f64::from(beta.r);
         beta *= room.albedo;
         if stream.at(place, Purpose::Survival).one() >= q {

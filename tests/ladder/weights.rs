@@ -6,7 +6,7 @@ use halfdisk::estimators::mistakes::misled::{Misled, Slip};
 use halfdisk::estimators::overhead::{Aim, Overhead, Technique};
 use halfdisk::flatland;
 use halfdisk::geometry::Ray;
-use halfdisk::integrators::walkable::{FlatWalk, Walkable};
+use halfdisk::integrators::world::{FlatTracer, World};
 use halfdisk::integrators::{Combine, Kajiya, NextEvent, Path, Roulette, Survival};
 use halfdisk::sampling::mis::Heuristic;
 use halfdisk::sampling::stream::Stream;
@@ -22,7 +22,7 @@ const ALL: [Technique; 4] = [Technique::Chance, Technique::Aiming, BALANCE, POWE
 
 /// Walks under a lamp: their mean, and their squared distance from a truth.
 fn walks(
-    world: &mut impl Walkable<Flat>,
+    world: &mut impl World<Flat>,
     technique: Technique,
     truth: f64,
     count: u32,
@@ -42,7 +42,7 @@ fn s0_23_all_ways_agree_and_their_variances_keep_the_bound() {
         let lamp = Overhead::new(a);
         let world = lamp.world(1).unwrap();
         let measured = ALL.map(|technique| {
-            let mut walk = FlatWalk::new(&world);
+            let mut walk = FlatTracer::new(&world);
             let [mean, square] = walks(&mut walk, technique, lamp.mean(), 100_000);
             let exact = lamp.variance(technique);
             println!(
@@ -111,7 +111,7 @@ fn misled_walks_read_what_they_should_and_are_rejected() {
     let world = lamp.world(2).unwrap();
     for heuristic in [Heuristic::Balance, Heuristic::Power] {
         let both = Technique::Both(heuristic);
-        let [right, _] = walks(&mut FlatWalk::new(&world), both, 0.0, 400_000);
+        let [right, _] = walks(&mut FlatTracer::new(&world), both, 0.0, 400_000);
         assert!(right.z(lamp.mean()).abs() <= CRITICAL);
         for (slip, rejected) in [
             (Slip::CountedTwice, true),
@@ -122,7 +122,7 @@ fn misled_walks_read_what_they_should_and_are_rejected() {
             (Slip::BothWeights(0.93), false),
         ] {
             let mut misled = Misled {
-                world: FlatWalk::new(&world),
+                world: FlatTracer::new(&world),
                 slip,
             };
             let [read, _] = walks(&mut misled, both, 0.0, 400_000);
@@ -198,11 +198,8 @@ fn inside_a_glowing_polygon_too() {
         text: &text,
     };
     let world = flatland::gallery::from_text(source).unwrap();
-    let mut walk = FlatWalk::new(&world);
-    let eye = space::Ray::<Flat> {
-        origin: Vec2::new(0.3, 0.1),
-        direction: Vec2::new(0.6, 0.8),
-    };
+    let mut walk = FlatTracer::new(&world);
+    let eye = space::Ray::<Flat>::new(Vec2::new(0.3, 0.1), Vec2::new(0.6, 0.8));
     let max_depth = 24;
     for heuristic in [Heuristic::Balance, Heuristic::Power] {
         let both = Combine {

@@ -2,7 +2,7 @@
 
 use super::{CRITICAL, direction, numbers};
 use halfdisk::color::Rgb;
-use halfdisk::materials::{Choice, Event, Material, Mixture, Scattered};
+use halfdisk::materials::{Choice, Event, Material, Mixture, BsdfSample};
 use halfdisk::stats::Estimate;
 use halfdisk::stats::chi_square::chi_square;
 use halfdisk::stats::z_test::z_test;
@@ -25,7 +25,7 @@ fn grey([kd, ks, kt]: [f32; 3]) -> Mixture {
 }
 
 /// 0 where light was scattered, 1 where it was mirrored, 2 where it went through.
-fn part(next: &Scattered) -> usize {
+fn part(next: &BsdfSample) -> usize {
     match next.event {
         Event::Diffuse => 0,
         _ if next.wi.z > 0.0 => 1,
@@ -33,7 +33,7 @@ fn part(next: &Scattered) -> usize {
     }
 }
 
-fn scattered(m: &Mixture, rule: Choice, cos: f32, n: u32) -> Vec<Option<Scattered>> {
+fn scattered(m: &Mixture, rule: Choice, cos: f32, n: u32) -> Vec<Option<BsdfSample>> {
     let one = |i| {
         let (choice, u) = numbers(i);
         m.scatter_by(rule, direction(cos), choice, u)
@@ -67,7 +67,7 @@ fn a_furnace_reads_what_is_not_absorbed() {
         for rule in RULES {
             for cos in [0.8, -0.8, -0.3] {
                 let walks = scattered(&m, rule, cos, 20_000);
-                let weight = |s: &Option<Scattered>| s.map_or(0.0, |s| f64::from(s.weight.g));
+                let weight = |s: &Option<BsdfSample>| s.map_or(0.0, |s| f64::from(s.weight.g));
                 let read: Estimate = walks.iter().map(weight).collect();
                 let test = z_test(&read, truth, CRITICAL);
                 assert!(test.passes(), "{k:?} {rule:?} {cos}: {test}");
@@ -107,7 +107,7 @@ fn colours_come_out_channel_by_channel() {
         let mut variance = 0.0;
         for (wanted, k) in [kd, ks, kt].into_iter().enumerate() {
             for (channel, truth) in k.into_iter().enumerate() {
-                let of = |s: &Option<Scattered>| {
+                let of = |s: &Option<BsdfSample>| {
                     let s = s.filter(|s| part(s) == wanted);
                     s.map_or(0.0, |s| f64::from(s.weight.channels()[channel]))
                 };

@@ -6,9 +6,8 @@
 //! nobody aimed there.
 
 use crate::color::Rgb;
-use crate::geometry;
 use crate::integrators::Integrator;
-use crate::integrators::walkable::{Walkable, ask_all};
+use crate::integrators::world::{World, next_event};
 use crate::sampling::stream::Stream;
 use crate::scene::Tracer;
 use crate::space::{Ray, Solid, Space};
@@ -24,7 +23,7 @@ impl CountTwice {
     /// One estimate of twice the radiance along a ray from the eye.
     pub fn walk<S: Space>(
         &self,
-        world: &mut impl Walkable<S>,
+        world: &mut impl World<S>,
         ray: &Ray<S>,
         stream: &Stream,
     ) -> Rgb {
@@ -32,16 +31,16 @@ impl CountTwice {
         let mut beta = Rgb::WHITE;
         let mut ray = *ray;
         for depth in 1..=self.max_depth {
-            let met = world.follow(&ray, depth);
+            let hit = world.intersect(&ray, depth);
             // The mistake: whether this light was asked for is not asked.
-            li += beta * world.arriving(&ray, met.as_ref());
-            let Some(here) = met else { break };
+            li += beta * world.emitted(&ray, hit.as_ref());
+            let Some(here) = hit else { break };
             if depth == self.max_depth {
                 break;
             }
-            let place = u64::from(depth);
-            li += beta * ask_all(world, &here, place, stream);
-            let Some(step) = world.scatter(&here, place, stream) else {
+            let vertex = u64::from(depth);
+            li += beta * next_event(world, &here, vertex, stream);
+            let Some(step) = world.sample_bsdf(&here, vertex, stream) else {
                 break;
             };
             beta *= step.weight;
@@ -52,7 +51,7 @@ impl CountTwice {
 }
 
 impl Integrator for CountTwice {
-    fn li(&self, tracer: &mut Tracer, ray: &geometry::Ray, stream: &Stream) -> Rgb {
-        self.walk::<Solid>(tracer, &ray.into(), stream)
+    fn li(&self, tracer: &mut Tracer, ray: &Ray<Solid>, stream: &Stream) -> Rgb {
+        self.walk::<Solid>(tracer, ray, stream)
     }
 }

@@ -4,7 +4,8 @@
 
 use crate::color::Rgb;
 use crate::estimators::overhead::Overhead;
-use crate::integrators::walkable::{Aimed, Step, Walkable};
+use crate::integrators::world::{Diffuse, DirectLight, Step, World};
+use crate::materials::Event;
 use crate::sampling::mis::Heuristic;
 use crate::sampling::stream::{Purpose, Stream};
 use crate::space::{Ray, Space};
@@ -73,48 +74,56 @@ impl<W> Misled<W> {
     }
 }
 
-impl<S: Space, W: Walkable<S>> Walkable<S> for Misled<W> {
+impl<S: Space, W: World<S>> World<S> for Misled<W> {
     type Point = W::Point;
 
-    fn follow(&mut self, ray: &Ray<S>, segment: u32) -> Option<W::Point> {
-        self.world.follow(ray, segment)
+    fn intersect(&mut self, ray: &Ray<S>, segment: u32) -> Option<W::Point> {
+        self.world.intersect(ray, segment)
     }
 
-    fn arriving(&self, ray: &Ray<S>, met: Option<&W::Point>) -> Rgb {
-        self.world.arriving(ray, met)
+    fn emitted(&self, ray: &Ray<S>, hit: Option<&W::Point>) -> Rgb {
+        self.world.emitted(ray, hit)
     }
 
-    fn scatter(&self, at: &W::Point, place: u64, stream: &Stream) -> Option<Step<S>> {
-        self.world.scatter(at, place, stream)
+    fn diffuse(&self, at: &W::Point) -> Diffuse<S> {
+        self.world.diffuse(at)
     }
 
-    fn lamps(&self) -> usize {
+    fn smooth_event(&self, at: &W::Point) -> Option<Event> {
+        self.world.smooth_event(at)
+    }
+
+    fn sample_bsdf(&self, at: &W::Point, vertex: u64, stream: &Stream) -> Option<Step<S>> {
+        self.world.sample_bsdf(at, vertex, stream)
+    }
+
+    fn lights(&self) -> usize {
         match self.slip {
-            Slip::Selection => self.world.lamps().min(1),
-            _ => self.world.lamps(),
+            Slip::Selection => self.world.lights().min(1),
+            _ => self.world.lights(),
         }
     }
 
-    fn aim(&mut self, at: &W::Point, lamp: usize, place: u64, stream: &Stream) -> Option<Aimed> {
+    fn sample_light(&mut self, at: &W::Point, lamp: usize, vertex: u64, stream: &Stream) -> Option<DirectLight> {
         let lamp = match self.slip {
             Slip::Selection => {
-                let u = stream.at(place, Purpose::Integrand).one();
-                (u * self.world.lamps() as f32) as usize
+                let u = stream.at(vertex, Purpose::Integrand).one();
+                (u * self.world.lights() as f32) as usize
             }
             _ => lamp,
         };
-        let right = self.world.aim(at, lamp, place, stream)?;
+        let right = self.world.sample_light(at, lamp, vertex, stream)?;
         Some(match self.slip {
-            Slip::CountedTwice => Aimed {
-                pdf_scatter: 0.0,
+            Slip::CountedTwice => DirectLight {
+                pdf_bsdf: 0.0,
                 ..right
             },
-            Slip::Density(factor) => Aimed {
-                light: right.light / factor,
+            Slip::Density(factor) => DirectLight {
+                irradiance: right.irradiance / factor,
                 pdf: right.pdf.map(|pdf| factor * pdf),
                 ..right
             },
-            Slip::BothWeights(factor) => Aimed {
+            Slip::BothWeights(factor) => DirectLight {
                 pdf: right.pdf.map(|pdf| factor * pdf),
                 ..right
             },
@@ -122,7 +131,7 @@ impl<S: Space, W: Walkable<S>> Walkable<S> for Misled<W> {
         })
     }
 
-    fn pdf_aim(&self, from: &W::Point, ray: &Ray<S>, met: Option<&W::Point>) -> f32 {
-        self.when_met() * self.world.pdf_aim(from, ray, met)
+    fn pdf_light(&self, from: &W::Point, ray: &Ray<S>, hit: Option<&W::Point>) -> f32 {
+        self.when_met() * self.world.pdf_light(from, ray, hit)
     }
 }

@@ -4,7 +4,7 @@ mod build;
 mod node;
 mod packet;
 
-use super::{Crossing, Moving, PreparedRay, Primitive, Ray, Shape};
+use super::{Crossing, PreparedRay, Primitive, Ray, Shape};
 use arrayvec::ArrayVec;
 use build::{MAX_DEPTH, build};
 use node::{Child, Link, Node, RayLanes, WIDTH};
@@ -21,7 +21,7 @@ const STACK_SIZE: usize = MAX_DEPTH * (WIDTH - 1) + 1;
 /// Tracing 2008). Every shape has a box of its own in some node, so that few are tested which the
 /// ray does not cross. Shapes whose box is not finite cannot be hit and are left out.
 ///
-/// A tree over [`Moving`] shapes is asked at a time, and is the same code.
+/// A tree over [`Moving`](super::Moving) shapes is the same code.
 #[derive(Clone, Debug)]
 pub struct Bvh<P = Shape> {
     /// The root first; empty for no shapes.
@@ -66,32 +66,6 @@ impl Waiting {
     }
 }
 
-impl Bvh {
-    /// The first crossing of the ray; of several shapes at the same distance the one with the
-    /// lowest id, whatever the order of the tree.
-    pub fn first(&self, ray: &Ray) -> Option<Found<'_>> {
-        self.first_at(ray, 0.0)
-    }
-
-    /// True where the ray crosses anything at all.
-    pub fn any(&self, ray: &Ray) -> bool {
-        self.any_at(ray, 0.0)
-    }
-}
-
-impl Bvh<Moving> {
-    /// The first crossing of the ray with the shapes where they are at `time`, in `[0, 1]`; of
-    /// several at the same distance the one with the lowest id.
-    pub fn first(&self, ray: &Ray, time: f32) -> Option<Found<'_, Moving>> {
-        self.first_at(ray, time)
-    }
-
-    /// True where the ray crosses anything at all at `time`, in `[0, 1]`.
-    pub fn any(&self, ray: &Ray, time: f32) -> bool {
-        self.any_at(ray, time)
-    }
-}
-
 impl<P: Primitive> Bvh<P> {
     /// The tree over `shapes`; the index of each in this list is its id.
     pub fn new(shapes: &[P]) -> Self {
@@ -100,15 +74,16 @@ impl<P: Primitive> Bvh<P> {
         Bvh {
             nodes: tree.nodes,
             packets: tree.packets,
-            shapes: ids.iter().map(|id| shapes[*id as usize]).collect(),
+            shapes: ids.iter().map(|id| shapes[*id as usize].clone()).collect(),
             ids,
         }
     }
 
-    #[inline(always)]
-    fn first_at(&self, ray: &Ray, time: f32) -> Option<Found<'_, P>> {
+    /// The first crossing of the ray, at its moment; of several shapes at the same distance the one
+    /// with the lowest id, whatever the order of the tree.
+    pub fn first(&self, ray: &Ray) -> Option<Found<'_, P>> {
         let mut best: Option<(Crossing, usize)> = None;
-        self.visit(ray, time, |at, crossing| {
+        self.visit(ray, |at, crossing| {
             if best.is_none_or(|(b, i)| crossing.t < b.t || self.ids[at] < self.ids[i]) {
                 best = Some((crossing, at));
             }
@@ -121,10 +96,10 @@ impl<P: Primitive> Bvh<P> {
         })
     }
 
-    #[inline(always)]
-    fn any_at(&self, ray: &Ray, time: f32) -> bool {
+    /// True where the ray crosses anything at all, at its moment.
+    pub fn any(&self, ray: &Ray) -> bool {
         let mut hit = false;
-        self.visit(ray, time, |_, _| {
+        self.visit(ray, |_, _| {
             hit = true;
             true
         });
@@ -134,7 +109,7 @@ impl<P: Primitive> Bvh<P> {
     /// Calls `meet` with every crossing that may be the first, and the place of its shape, nearest
     /// boxes first, until it answers true.
     #[inline(always)]
-    fn visit(&self, ray: &Ray, time: f32, mut meet: impl FnMut(usize, Crossing) -> bool) {
+    fn visit(&self, ray: &Ray, mut meet: impl FnMut(usize, Crossing) -> bool) {
         if self.nodes.is_empty() || !ray.is_valid() {
             return;
         }
@@ -148,7 +123,7 @@ impl<P: Primitive> Bvh<P> {
                 match next.link().child() {
                     Child::Shape(at) => {
                         if let Some(crossing) =
-                            self.shapes[at].cross_after(&prepared, time, t_max, next.entry())
+                            self.shapes[at].cross_after(&prepared, t_max, next.entry())
                         {
                             t_max = crossing.t;
                             if meet(at, crossing) {
@@ -202,19 +177,14 @@ fn lanes(mut mask: u32) -> impl Iterator<Item = usize> {
 }
 
 /// The tree's answer without the tree: every shape is tested. Slow, plain, the yardstick.
-pub fn brute_force(shapes: &[Shape], ray: &Ray) -> Option<(Crossing, u32)> {
-    brute_force_at(shapes, ray, 0.0)
-}
-
-/// The same for shapes where they are at `time`, in `[0, 1]`.
-pub fn brute_force_at<P: Primitive>(shapes: &[P], ray: &Ray, time: f32) -> Option<(Crossing, u32)> {
+pub fn brute_force<P: Primitive>(shapes: &[P], ray: &Ray) -> Option<(Crossing, u32)> {
     if !ray.is_valid() {
         return None;
     }
     let prepared = PreparedRay::from(ray);
     let mut best: Option<(Crossing, u32)> = None;
     for (id, shape) in shapes.iter().enumerate() {
-        if let Some(crossing) = shape.cross_at(&prepared, time, ray.reach())
+        if let Some(crossing) = shape.cross(&prepared, ray.reach())
             && best.is_none_or(|(b, _)| crossing.t < b.t)
         {
             best = Some((crossing, id as u32));

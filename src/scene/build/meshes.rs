@@ -2,6 +2,7 @@
 
 use crate::geometry::{Mesh, Shape, Triangle};
 use crate::scene::field::{Checked, Problem, check};
+use crate::scene::Mapping;
 use crate::scene::mesh_file;
 use crate::scene::parts::{Parts, alone};
 use crate::scene::placement::Placement;
@@ -20,19 +21,21 @@ impl Parts<'_> {
             .map(Triple::get)
             .collect::<Checked<_>>()?;
         let triangles = vec![[0, 1, 2]];
-        let shapes = self.mesh(
-            Mesh {
-                vertices,
-                triangles,
-            },
-            place,
-        );
+        let mesh = Mesh {
+            vertices,
+            triangles,
+        };
+        let (shapes, _) = self.mesh(mesh, place);
         let what = "has no area: its corners lie on one line, or too far away";
         check(!shapes.is_empty(), what)?;
         Ok(shapes)
     }
 
-    pub(super) fn mesh_file(&mut self, file: &Path, place: &Placement) -> Checked<Vec<Shape>> {
+    pub(super) fn mesh_file(
+        &mut self,
+        file: &Path,
+        place: &Placement,
+    ) -> Checked<(Vec<Shape>, Mapping)> {
         let folder = alone(self.folder)?;
         let path = folder.join(file);
         let complain = |what: &str| Problem::new(format!("names {}, which {what}", path.display()));
@@ -41,14 +44,14 @@ impl Parts<'_> {
         for note in found.notes {
             self.note(format!("{}: {note}", file.display()));
         }
-        let shapes = self.mesh(found.mesh, place);
-        match shapes.is_empty() {
+        let mesh = self.mesh(found.mesh, place);
+        match mesh.0.is_empty() {
             true => Err(complain("has no triangle with an area")),
-            false => Ok(shapes),
+            false => Ok(mesh),
         }
     }
 
-    pub(super) fn mesh(&mut self, mut mesh: Mesh, place: &Placement) -> Vec<Shape> {
+    pub(super) fn mesh(&mut self, mut mesh: Mesh, place: &Placement) -> (Vec<Shape>, Mapping) {
         if place.mirrors() {
             mesh.triangles.iter_mut().for_each(|t| t.swap(1, 2));
         }
@@ -60,6 +63,7 @@ impl Parts<'_> {
             self.misplaced.triangle(&corners, &Triangle { a, b, c });
         }
         self.degenerate_triangles += count.degenerate;
-        triangles.into_iter().map(Shape::Triangle).collect()
+        let shapes = triangles.into_iter().map(Shape::Triangle).collect();
+        (shapes, Mapping::default())
     }
 }
