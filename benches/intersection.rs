@@ -95,7 +95,11 @@ fn trees(c: &mut Criterion) {
             .collect();
         let tree = Bvh::new(&moving);
         group.bench_function(format!("{count} moving shapes, first"), |b| {
-            b.iter(|| rays.iter().filter(|r| tree.first(r, 0.5).is_some()).count());
+            b.iter(|| {
+                rays.iter()
+                    .filter(|r| tree.first(&r.at_time(0.5)).is_some())
+                    .count()
+            });
         });
     }
     group.finish();
@@ -123,7 +127,7 @@ fn meshes(c: &mut Criterion) {
             });
         });
         group.bench_function(format!("{name}, occlusion"), |b| {
-            b.iter(|| rays.iter().filter(|ray| tracer.is_free(ray)).count());
+            b.iter(|| rays.iter().filter(|ray| tracer.unoccluded(ray)).count());
         });
     }
     group.finish();

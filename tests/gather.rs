@@ -5,9 +5,8 @@ use halfdisk::color::Rgb;
 use halfdisk::estimators::directions::Recipe;
 use halfdisk::estimators::furnace;
 use halfdisk::estimators::gather::Gather;
-use halfdisk::estimators::scene_world::SceneWorld;
-use halfdisk::estimators::world::{Counted, Hit, World};
-use halfdisk::estimators::worlds::{self, Furnace, Plates};
+use halfdisk::estimators::worlds::{self, Counted, Furnace, Lit, Plates};
+use halfdisk::integrators::world::{Diffuse, Step, World};
 use halfdisk::sampling::stream::Stream;
 use halfdisk::scene::{Tracer, gallery, read::Source};
 use halfdisk::space::{Flat, Ray, Solid, Space};
@@ -23,10 +22,10 @@ fn one_level(samples: u32, recipe: Recipe) -> Gather {
 }
 
 /// What a floor of albedo 0.8 reflects in a world.
-fn reading<S: Space>(world: &mut impl World<S, Light = f32>, gather: Gather) -> Estimate {
+fn reading<S: Space>(world: &mut impl World<S, Point = Lit<S>>, gather: Gather) -> Estimate {
     let floor = worlds::floor::<S>(0.8);
     (0..20_000)
-        .map(|i| f64::from(gather.reflected(world, &floor, &Stream::new(2, i, 0))))
+        .map(|i| f64::from(gather.reflected(world, &floor, &Stream::new(2, i, 0)).r))
         .collect()
 }
 
@@ -68,7 +67,11 @@ fn plates<S: Space>() {
         let runs = [80_000, 60_000, 40_000, 600_000][(depth as usize - 1).min(3)];
         let reading: Estimate = (0..runs)
             .map(|i| {
-                f64::from(gather.reflected::<S, _>(&mut plates, &floor, &Stream::new(4, i, 0)))
+                f64::from(
+                    gather
+                        .reflected::<S, _>(&mut plates, &floor, &Stream::new(4, i, 0))
+                        .r,
+                )
             })
             .collect();
         let [exact, _] = plates.radiance(depth);
@@ -161,10 +164,7 @@ fn s0_04_a_tree_has_the_rays_it_should() {
             recipe: Recipe::Uniform,
         };
         assert_eq!(gather.rays(), rays);
-        let mut world = Counted {
-            world: Furnace { albedo: 0.5 },
-            rays: 0,
-        };
+        let mut world = Counted::new(Furnace { albedo: 0.5 });
         let eye = Ray::<Flat>::new(glam::Vec2::ZERO, glam::Vec2::Y);
         gather.li(&mut world, &eye, &Stream::new(1, 0, 0));
         assert_eq!(world.rays, rays);
@@ -201,8 +201,7 @@ fn lit_floor(lamp: &str) -> Estimate {
     };
     (0..100_000)
         .map(|i| {
-            let mut world = SceneWorld::new(&mut tracer);
-            let li: Rgb = gather.li(&mut world, &eye, &Stream::new(5, i, 0));
+            let li: Rgb = gather.li(&mut tracer, &eye, &Stream::new(5, i, 0));
             f64::from(li.g)
         })
         .collect()
@@ -225,9 +224,9 @@ fn s1_10_lamps_of_a_scene_by_shadow_rays() {
 struct Room;
 
 impl World<Flat> for Room {
-    type Light = f32;
+    type Point = Lit<Flat>;
 
-    fn first_hit(&mut self, ray: &Ray<Flat>) -> Option<Hit<Flat, f32>> {
+    fn intersect(&mut self, ray: &Ray<Flat>, _: u32) -> Option<Lit<Flat>> {
         let (o, d) = (ray.origin, ray.direction);
         let to = |o: f32, d: f32| if d > 0.0 { (1.0 - o) / d } else { -o / d };
         let (tx, ty) = (to(o.x, d.x), to(o.y, d.y));
@@ -239,33 +238,38 @@ impl World<Flat> for Room {
             p.y = f32::from(u8::from(d.y > 0.0));
             glam::Vec2::new(0.0, -d.y.signum())
         };
-        let emission = f32::from(u8::from(n.y < 0.0));
-        Some(Hit {
-            p,
-            n,
+        let emission = Rgb::grey(f32::from(u8::from(n.y < 0.0)));
+        let Lit { surface, .. } = worlds::floor(0.5);
+        Some(Lit {
+            surface: Diffuse { p, n, ..surface },
             emission,
-            ..worlds::floor(0.5)
         })
     }
 
-    fn environment(&self, _: glam::Vec2) -> f32 {
-        0.0
+    fn emitted(&self, _: &Ray<Flat>, hit: Option<&Lit<Flat>>) -> Rgb {
+        hit.map_or(Rgb::BLACK, |hit| hit.emission)
+    }
+
+    fn diffuse(&self, at: &Lit<Flat>) -> Diffuse<Flat> {
+        at.surface
+    }
+
+    fn sample_bsdf(&self, at: &Lit<Flat>, vertex: u64, stream: &Stream) -> Option<Step<Flat>> {
+        Some(at.sample(vertex, stream))
     }
 }
 
 #[test]
 fn s0_25_the_golden_room() {
-    let middle = Hit {
-        p: glam::Vec2::new(0.5, 0.0),
-        ..worlds::floor::<Flat>(0.5)
-    };
+    let mut middle = worlds::floor::<Flat>(0.5);
+    middle.surface.p = glam::Vec2::new(0.5, 0.0);
     let walk = Gather {
         samples: 1,
         depth: 24,
         recipe: Recipe::Cosine,
     };
     let reading: Estimate = (0..400_000)
-        .map(|i| f64::from(walk.reflected(&mut Room, &middle, &Stream::new(7, i, 0))))
+        .map(|i| f64::from(walk.reflected(&mut Room, &middle, &Stream::new(7, i, 0)).r))
         .collect();
     accept("floor midpoint", &reading, 0.330_679_4, 0.330_679_4);
     reject("without the second bounce", &reading, 0.223_606_8);

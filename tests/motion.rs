@@ -110,15 +110,13 @@ fn at_each_moment_the_scene_is_one_that_stands_still() {
     for time in [0.0_f32, 0.25, 0.5, 1.0] {
         let still = scene([0.0, 0.0], &standing(f64::from(time)));
         let [mut a, mut b, mut wrong] = [&moving, &still, &moving].map(Tracer::new);
-        a.at_time(time);
-        wrong.at_time(1.0 - time);
         for i in 0..2000 {
             let mut numbers = Stream::new(1, i, 0).at(0, Purpose::Integrand);
-            let ray = still.camera.ray(numbers.one(), numbers.one());
+            let ray = still.camera.ray(numbers.one(), numbers.one()).at_time(time);
             let answer = |tracer: &mut Tracer, ray: &Ray| {
                 tracer.camera_ray(ray).map(|hit| {
-                    let Surface { p, error, n } = hit.surface;
-                    (hit.t, p, error, n, hit.object.emission)
+                    let Surface { p, error, n, .. } = hit.surface;
+                    (hit.t, p, error, n, hit.object.emission.brightest())
                 })
             };
             let met = answer(&mut b, &ray);
@@ -128,12 +126,12 @@ fn at_each_moment_the_scene_is_one_that_stands_still() {
                 continue;
             };
             hits += 1;
-            let from = Surface { p, error, n };
+            let from = Surface { p, error, n, time };
             let u = numbers.two();
             let aimed = |tracer: &mut Tracer| {
-                tracer.sample_light(0, &from, 0.5, u).map(|s| {
+                tracer.light_sample(0, &from, 0.5, u).map(|s| {
                     let (wi, ray) = (s.wi, s.shadow_ray);
-                    (wi, ray.origin, ray.t_max, tracer.is_free(&ray))
+                    (wi, ray.origin, ray.t_max, tracer.unoccluded(&ray))
                 })
             };
             assert_eq!(aimed(&mut a), aimed(&mut b));
@@ -174,7 +172,7 @@ fn the_density_of_a_moving_lamp_is_that_of_its_samples_at_each_moment() {
         for i in 0..6000 {
             let mut numbers = Stream::new(4, i, 0).at(0, Purpose::Integrand);
             let mut tracer = Tracer::new(&scene);
-            tracer.at_time(numbers.one());
+            let time = numbers.one();
             let from = Surface {
                 // Below the lamp's way, relative to the eye.
                 p: Vec3::new(
@@ -184,9 +182,10 @@ fn the_density_of_a_moving_lamp_is_that_of_its_samples_at_each_moment() {
                 ),
                 error: Vec3::ZERO,
                 n: Vec3::Y,
+                time,
             };
             let index = i as usize % scene.lights.len();
-            let Some(sample) = tracer.sample_light(index, &from, 0.5, numbers.two()) else {
+            let Some(sample) = tracer.light_sample(index, &from, 0.5, numbers.two()) else {
                 continue;
             };
             let Incident::Radiance { pdf, .. } = sample.incident else {
@@ -196,12 +195,12 @@ fn the_density_of_a_moving_lamp_is_that_of_its_samples_at_each_moment() {
             let Some(hit) = tracer.secondary_ray(&from.spawn(sample.wi)) else {
                 continue;
             };
-            if hit.object.light != Some(index as u32) || !tracer.is_free(&sample.shadow_ray) {
+            if hit.object.light != Some(index as u32) || !tracer.unoccluded(&sample.shadow_ray) {
                 continue;
             }
             met += 1;
             let at = Some(&hit.surface);
-            let known = tracer.pdf_light(index, &from, sample.wi, at);
+            let known = tracer.light_pdf(index, &from, sample.wi, at);
             worst = worst.max((known / pdf - 1.0).abs());
             // Where the lamp was when the shutter opened.
             let opened = scene.lights[index].pdf(&from, sample.wi, at);
@@ -228,9 +227,9 @@ fn of_two_shapes_at_one_place_the_first_in_the_file_is_met() {
         let both = scene([0.0, 1.0], &(plate(1, first) + &plate(2, second)));
         let mut tracer = Tracer::new(&both);
         for time in [0.0, 0.5, 1.0] {
-            tracer.at_time(time);
-            let hit = tracer.camera_ray(&both.camera.ray(0.5, 0.5)).unwrap();
-            assert_eq!(hit.object.emission, Rgb::WHITE, "{first} at {time}");
+            let ray = both.camera.ray(0.5, 0.5).at_time(time);
+            let hit = tracer.camera_ray(&ray).unwrap();
+            assert_eq!(hit.emission, Rgb::WHITE, "{first} at {time}");
         }
     }
 }
@@ -250,8 +249,8 @@ fn seeded(
     let mut tracer = Tracer::new(scene);
     let one = |i| {
         let stream = Stream::new(seed, i, 0);
-        tracer.at_time(stream.at(0, Purpose::Time).one());
-        f64::from(integrator.li(&mut tracer, ray, &stream).r)
+        let ray = ray.at_time(stream.at(0, Purpose::Time).one());
+        f64::from(integrator.li(&mut tracer, &ray, &stream).r)
     };
     (0..walks).map(one).collect()
 }
@@ -269,7 +268,7 @@ impl Integrator for AimsAtTheStart {
             return Rgb::BLACK;
         };
         let cos = hit.surface.n.dot(sample.wi).max(0.0);
-        let albedo = hit.object.material.map_or(Rgb::BLACK, |m| m.albedo());
+        let albedo = hit.bsdf.map_or(Rgb::BLACK, |bsdf| bsdf.albedo());
         albedo * sample.incident.facing_irradiance() * (cos / std::f32::consts::PI)
     }
 }

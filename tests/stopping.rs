@@ -275,7 +275,7 @@ fn an_error_below_the_rounding_of_samples_is_not_claimed() {
             said.film.size = [4, 4];
             for material in said.materials.values_mut() {
                 *material = Material::Lambert {
-                    albedo: Albedo([albedo; 3]),
+                    albedo: Albedo([albedo; 3]).into(),
                 };
             }
         })

@@ -18,6 +18,7 @@ fn irradiance(light: &Light, samples: u32) -> Estimate {
         p: Vec3::ZERO,
         error: Vec3::ZERO,
         n: Vec3::Y,
+        time: 0.0,
     };
     let facing_up = |i: u32| {
         let u = Stream::new(9, i, 0).at(0, Purpose::LightPoint).two();

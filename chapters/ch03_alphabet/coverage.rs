@@ -57,7 +57,7 @@ fn point(said: &mut Description) {
 fn ball(said: &mut Description, radius: f64) {
     for object in said.objects.iter_mut().filter(|o| o.emits.is_some()) {
         *object = Object {
-            emits: Some(Emission([INTENSITY / (PI * radius * radius); 3])),
+            emits: Some(Emission([INTENSITY / (PI * radius * radius); 3]).into()),
             shape: Shape::Sphere {
                 center: Triple(PLACE),
                 radius: Positive(radius),

@@ -73,8 +73,9 @@ fn two_tone<S: Space>(recipe: Recipe, rays: u32, seed: u64) -> [Estimate; 2] {
     let mut both = [Estimate::new(); 2];
     for i in 0..rays {
         let x = one_ray.reflected(&mut sky, &floor::<S>(1.0), &Stream::new(seed, i, 0));
-        both[0].add(x.into());
-        both[1].add((f64::from(x) - 0.75).powi(2));
+        let x = f64::from(x.r);
+        both[0].add(x);
+        both[1].add((x - 0.75).powi(2));
     }
     both
 }

@@ -68,7 +68,11 @@ fn estimator(name: &str) -> Option<Estimator> {
             };
             let mut lamp = worlds::strip::<Solid>(0.2, 1.0);
             let floor = worlds::floor::<Solid>(1.0);
-            f64::from(gather.reflected(&mut lamp, &floor, &Stream::new(seed, 0, 0)))
+            f64::from(
+                gather
+                    .reflected(&mut lamp, &floor, &Stream::new(seed, 0, 0))
+                    .r,
+            )
         },
         ..stratified
     })

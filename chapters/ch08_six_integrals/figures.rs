@@ -116,7 +116,7 @@ pub fn occlusion(desk: &mut Desk) -> Result<u64, DeskError> {
         said.film.size = [160, 120];
         for material in said.materials.values_mut() {
             *material = Material::Lambert {
-                albedo: Albedo([1.0; 3]),
+                albedo: Albedo([1.0; 3]).into(),
             };
         }
         said.objects.retain(|o| o.emits.is_none());

@@ -9,6 +9,7 @@ use halfdisk::estimators::directions::Recipe;
 use halfdisk::estimators::gather::Gather;
 use halfdisk::figures::{flat, walk::Watched};
 use halfdisk::flatland;
+use halfdisk::integrators::world::Lights;
 use halfdisk::integrators::{Kajiya, NextEvent};
 use halfdisk::render::{Film, Pixel};
 use halfdisk::sampling::stream::Stream;
@@ -23,7 +24,7 @@ const BRANCHES: usize = 16;
 /// A tree of rays in the flat room, and one path of it.
 pub fn tree_and_path(desk: &mut Desk) -> Result<(), DeskError> {
     let room = flatland::load("room")?;
-    let mut watched = Watched::new(&room);
+    let mut watched = Watched::new(&room, Lights::Points);
     let eye = Ray::<Flat>::new(Vec2::new(0.15, 0.75), Vec2::new(0.6, -0.8));
     let tree = Gather {
         samples: BRANCHES as u32,

@@ -4,9 +4,8 @@ use halfdisk::chart::{Axis, Bar, BarChart, BarGroup, Curve, CurveChart, Style};
 use halfdisk::color::Rgb;
 use halfdisk::desk::{Desk, DeskError};
 use halfdisk::geometry::Ray;
-use halfdisk::integrators::world::Interaction;
 use halfdisk::integrators::{Integrator, WhichRay};
-use halfdisk::materials::{Event, Material, BsdfSample};
+use halfdisk::materials::{Bsdf, BsdfSample, Event};
 use halfdisk::sampling::stream::Stream;
 use halfdisk::scene::Tracer;
 use halfdisk::stats::Estimate;
@@ -37,11 +36,10 @@ impl Integrator for FirstChoice {
         let Some(hit) = tracer.camera_ray(ray) else {
             return dim;
         };
-        if !matches!(hit.object.material, Some(Material::Mixture(_))) {
+        if !matches!(hit.bsdf, Some(Bsdf::Mixture(_))) {
             return dim;
         }
-        let here = Interaction::new(hit, ray.direction);
-        let next = self.0.further(&here, 1, stream);
+        let next = self.0.further(&hit, 1, stream);
         next.map_or(Rgb::BLACK, |next| [orange, blue, green][kind(&next)])
     }
 }

@@ -1,7 +1,8 @@
 //! What the furnace reads: cut, by roulette, clamped.
 
 use halfdisk::desk::{Desk, Number};
-use halfdisk::estimators::survival::{Furnace, Game};
+use halfdisk::estimators::survival::Game;
+use halfdisk::estimators::worlds::{Counted, Furnace};
 use halfdisk::integrators::{Kajiya, Roulette, Survival};
 use halfdisk::sampling::stream::Stream;
 use halfdisk::space::Flat;
@@ -26,7 +27,8 @@ pub fn game(percent: u32) -> Game {
 
 /// The value of one walk, and its segments.
 pub fn walk(game: &Game, stream: &Stream) -> (f64, u64) {
-    let mut room = Furnace::new(game.albedo as f32);
+    let albedo = game.albedo as f32;
+    let mut room = Counted::new(Furnace { albedo });
     let roulette = Roulette {
         survival: Survival::Constant(game.survival as f32),
     };
@@ -41,7 +43,9 @@ pub fn cuts(desk: &mut Desk) {
         let cut = Kajiya {
             max_depth: bounces + 1,
         };
-        let mut room = Furnace::new(albedo as f32);
+        let mut room = Furnace {
+            albedo: albedo as f32,
+        };
         let stream = Stream::new(desk.options.seed, 0, 0);
         let read = cut.walk::<Flat>(&mut room, &Furnace::eye(), &stream).r;
         let lost = 100.0 * (1.0 - f64::from(read) * (1.0 - albedo));

@@ -9,7 +9,8 @@ mod furnace;
 mod pictures;
 
 use halfdisk::desk::{Chapter, Desk, DeskError, Number};
-use halfdisk::estimators::survival::{Furnace, Game};
+use halfdisk::estimators::survival::Game;
+use halfdisk::estimators::worlds::{Counted, Furnace};
 use halfdisk::flatland::gallery;
 use halfdisk::integrators::world::FlatTracer;
 use halfdisk::integrators::{Kajiya, Roulette, Survival};
@@ -72,7 +73,7 @@ fn endless(desk: &mut Desk) {
         survival: Survival::Throughput(0.05),
     };
     let one = |i| {
-        let mut room = Furnace::new(1.0);
+        let mut room = Counted::new(Furnace { albedo: 1.0 });
         let stream = Stream::new(desk.options.seed, i, 5);
         roulette.walk::<Flat>(&mut room, &Furnace::eye(), &stream);
         room.rays as f64

@@ -6,6 +6,7 @@ use halfdisk::desk::{Desk, DeskError, Number};
 use halfdisk::estimators::shrinking_lamp::{self, Technique};
 use halfdisk::figures::walk::Watched;
 use halfdisk::flatland;
+use halfdisk::integrators::world::Lights;
 use halfdisk::integrators::{Integrator, Kajiya, NextEvent};
 use halfdisk::render::{Film, Options, Rendered, render};
 use halfdisk::sampling::stream::Stream;
@@ -124,7 +125,7 @@ pub fn shadow_rays(desk: &mut Desk) -> Result<(), DeskError> {
     let eye = Ray::<Flat>::new(Vec2::new(3.4, 2.6), Vec2::new(0.55, -0.84).normalize());
     let walk = NextEvent { max_depth: 4 };
     let walks = (0..1000).map(|i| {
-        let mut watched = Watched::new(&yard);
+        let mut watched = Watched::new(&yard, Lights::All);
         walk.walk(&mut watched, &eye, &Stream::new(desk.options.seed, i, 0));
         watched
     });
@@ -154,7 +155,7 @@ pub fn boxes(desk: &mut Desk) -> Result<u64, DeskError> {
                     u: Triple([u, 0.0, 0.0]),
                     v: Triple([0.0, 0.0, v]),
                 };
-                lamp.emits = Some(Emission([15.0 / (scale * scale); 3]));
+                lamp.emits = Some(Emission([15.0 / (scale * scale); 3]).into());
             }
         })?;
         let max_depth = 5;

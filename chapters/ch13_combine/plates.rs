@@ -14,7 +14,7 @@ struct ByTechnique(Combine);
 
 impl Integrator for ByTechnique {
     fn li(&self, tracer: &mut Tracer, ray: &Ray, stream: &Stream) -> Rgb {
-        let shares = self.0.walk(tracer, &ray.into(), stream);
+        let shares = self.0.walk(tracer, ray, stream);
         Rgb::new(shares.by_chance.mean(), shares.by_aiming.mean(), 0.0)
     }
 }

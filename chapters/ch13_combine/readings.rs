@@ -27,7 +27,7 @@ pub fn furnace(desk: &mut Desk) -> Result<(u64, Largest), DeskError> {
         let scene = gallery::load_with("furnace", |said| {
             for material in said.materials.values_mut() {
                 *material = Material::Lambert {
-                    albedo: Albedo([albedo; 3]),
+                    albedo: Albedo([albedo; 3]).into(),
                 };
             }
         })?;

@@ -110,7 +110,7 @@ fn ball(said: &mut Description, radius: f64) {
         };
         said.objects.push(Object {
             material: None,
-            emits: Some(Emission(intensity.0.map(|i| i / (PI * radius * radius)))),
+            emits: Some(Emission(intensity.0.map(|i| i / (PI * radius * radius))).into()),
             shape: Shape::Sphere {
                 center: position,
                 radius: Positive(radius),

@@ -10,9 +10,8 @@ use halfdisk::color::Rgb;
 use halfdisk::geometry::Ray;
 use halfdisk::integrators::{Integrator, direct_light};
 use halfdisk::render::{Film, Options, Rendered, compare, render};
-use halfdisk::sampling::frame::Frame;
 use halfdisk::sampling::stream::Stream;
-use halfdisk::scene::{Hit, Scene, SceneError, Tracer, gallery};
+use halfdisk::scene::{Interaction, Scene, SceneError, Tracer, gallery};
 
 /// Whitted's tree without its faint branches.
 struct StopFaint {
@@ -46,20 +45,19 @@ impl StopFaint {
         &self,
         tracer: &mut Tracer,
         ray: &Ray,
-        hit: Option<Hit>,
+        hit: Option<Interaction>,
         here: Node,
         stream: &Stream,
     ) -> Rgb {
         let Some(hit) = hit else {
             return tracer.scene().background(ray.direction);
         };
-        let mut li = hit.emitted(-ray.direction);
-        let (Some(material), true) = (hit.object.material, here.depth < self.max_depth) else {
+        let mut li = hit.emission;
+        let (Some(bsdf), true) = (hit.bsdf, here.depth < self.max_depth) else {
             return li;
         };
-        li += direct_light(tracer, ray, &hit, here.id, stream);
-        let frame = Frame::new(hit.surface.n);
-        let specular = material.specular(frame.to_local(-ray.direction));
+        li += direct_light(tracer, &hit, here.id, stream);
+        let specular = bsdf.specular(hit.wo);
         let branches = [
             (specular.reflected, 2 * here.id),
             (specular.transmitted, 2 * here.id + 1),
@@ -69,7 +67,7 @@ impl StopFaint {
             let weight = here.weight * branch.weight.mean();
             // The new condition.
             if weight >= self.epsilon {
-                let next_ray = hit.surface.spawn(frame.to_world(branch.wi).normalize());
+                let next_ray = hit.surface.spawn(hit.frame.to_world(branch.wi).normalize());
                 let next_hit = tracer.secondary_ray(&next_ray);
                 let next = Node {
                     id,

@@ -8,8 +8,8 @@
 
 use glam::Vec3;
 use halfdisk::estimators::directions::{Drawn, Recipe};
-use halfdisk::estimators::world::{Counted, World};
-use halfdisk::estimators::worlds::Plates;
+use halfdisk::estimators::worlds::{Counted, Plates};
+use halfdisk::integrators::world::World;
 use halfdisk::sampling::stream::{Purpose, Stream};
 use halfdisk::space::{Ray, Solid, Space};
 use halfdisk::stats::Estimate;
@@ -31,30 +31,27 @@ fn li(
     place: u64,
     stream: &Stream,
 ) -> f32 {
-    let Some(hit) = World::<Solid>::first_hit(world, ray) else {
+    let Some(hit) = World::<Solid>::intersect(world, ray, 1) else {
         return 0.0;
     };
     let Some(&count) = plan.get(depth) else {
-        return hit.emission;
+        return hit.emission.r;
     };
-    let frame = Solid::frame(hit.n);
+    let frame = Solid::frame(hit.surface.n);
     let mut sum = 0.0;
     for index in 0..count {
         let place = place * 64 + u64::from(index) + 1;
         let mut numbers = stream.at(place, Purpose::Direction);
         let Drawn { w, pdf } = Recipe::Uniform.draw::<Solid>(index, count, &mut numbers);
-        let next = hit.spawn(Solid::to_world(&frame, w));
+        let next = hit.surface.spawn(Solid::to_world(&frame, w));
         sum += li(world, &next, depth + 1, plan, place, stream) * Solid::cos(w) / pdf;
     }
-    hit.emission + hit.albedo * Solid::LAMBERT * sum / count as f32
+    hit.emission.r + hit.surface.albedo.r * Solid::LAMBERT * sum / count as f32
 }
 
 /// The radiance of the lower plate, and the rays of one estimate.
 fn measure(plan: &Plan, runs: u32) -> (Estimate, f64) {
-    let mut world = Counted {
-        world: PLATES,
-        rays: 0,
-    };
+    let mut world = Counted::new(PLATES);
     let down = Ray::new(Vec3::new(0.0, 0.5, 0.0), Vec3::NEG_Y);
     let sample = |i| f64::from(li(&mut world, &down, 0, plan, 0, &Stream::new(7, i, 0)));
     let estimate = (0..runs).map(sample).collect();

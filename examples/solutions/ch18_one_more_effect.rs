@@ -32,7 +32,7 @@ const PREDICTIONS: [Prediction; 5] = [
     Prediction {
         change: |said| {
             for material in said.materials.values_mut() {
-                if let Material::Mirror { reflectance } = *material {
+                if let Material::Mirror { reflectance } = material.clone() {
                     let roughness = Roughness(0.1);
                     *material = Material::Glossy {
                         reflectance,

@@ -5,7 +5,6 @@ use super::language::{self, Class, Wanted};
 use super::measure::Setup;
 use crate::notation::Expression;
 use crate::scene::description::{Description, Material};
-use crate::scene::textures::Textured;
 use crate::scene::value::{Albedo, NotNegative};
 use crate::scene::{Effect, Scene, SceneError};
 
@@ -75,7 +74,7 @@ impl Without {
 fn put_out(said: &mut Description) {
     let black = "what does not shine";
     let material = Material::Lambert {
-        albedo: Textured::Constant(Albedo([0.0; 3])),
+        albedo: Albedo([0.0; 3]).into(),
     };
     for object in &mut said.objects {
         object.emits = None;

@@ -33,7 +33,11 @@ pub fn open<S: Space>(
     (0..gathers)
         .map(|i| {
             let stream = Stream::new(seed, i, 0);
-            f64::from(gather.reflected(&mut worlds::white::<S>(), &floor, &stream).r)
+            f64::from(
+                gather
+                    .reflected(&mut worlds::white::<S>(), &floor, &stream)
+                    .r,
+            )
         })
         .collect()
 }
@@ -99,6 +103,6 @@ fn radiance<S: Space>(recipe: Recipe, albedo: f32, depth: u32, stream: &Stream) 
         depth,
         recipe,
     };
-    let li = walk.li(&mut Furnace::new(albedo), &Furnace::eye::<S>(), stream);
+    let li = walk.li(&mut Furnace { albedo }, &Furnace::eye::<S>(), stream);
     f64::from(li.r)
 }

@@ -2,7 +2,7 @@
 //! cost, with closed forms.
 
 use crate::color::Rgb;
-use crate::materials::{Choice, Mixture, BsdfSample};
+use crate::materials::{BsdfSample, Choice, Mixture};
 use crate::sampling::stream::{Purpose, Stream};
 use glam::Vec3;
 

@@ -26,12 +26,7 @@ pub struct Split {
 impl Split {
     // ANCHOR: split
     /// One estimate of the radiance along a ray from the eye.
-    pub fn walk<S: Space>(
-        &self,
-        world: &mut impl World<S>,
-        ray: &Ray<S>,
-        stream: &Stream,
-    ) -> Rgb {
+    pub fn walk<S: Space>(&self, world: &mut impl World<S>, ray: &Ray<S>, stream: &Stream) -> Rgb {
         let hit = world.intersect(ray, 1);
         let li = world.emitted(ray, hit.as_ref());
         let Some(first) = hit else { return li };

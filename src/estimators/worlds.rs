@@ -3,7 +3,7 @@
 //! The surface that is asked lies at the origin and looks up, along `y`.
 
 use crate::color::Rgb;
-use crate::integrators::world::{Diffuse, Step, World};
+use crate::integrators::world::{Diffuse, DirectLight, Step, World};
 use crate::materials::Event;
 use crate::numeric;
 use crate::sampling::stream::{Purpose, Stream};
@@ -66,6 +66,65 @@ macro_rules! lit {
     };
 }
 
+/// A world that counts the rays it is asked for; shadow rays are its own affair.
+#[derive(Clone, Copy, Debug)]
+pub struct Counted<W> {
+    /// The world.
+    pub world: W,
+    /// Rays so far.
+    pub rays: u64,
+}
+
+impl<W> Counted<W> {
+    /// The world, with no ray traced.
+    pub fn new(world: W) -> Self {
+        Counted { world, rays: 0 }
+    }
+}
+
+impl<S: Space, W: World<S>> World<S> for Counted<W> {
+    type Point = W::Point;
+
+    fn intersect(&mut self, ray: &Ray<S>, segment: u32) -> Option<W::Point> {
+        self.rays += 1;
+        self.world.intersect(ray, segment)
+    }
+
+    fn emitted(&self, ray: &Ray<S>, hit: Option<&W::Point>) -> Rgb {
+        self.world.emitted(ray, hit)
+    }
+
+    fn diffuse(&self, at: &W::Point) -> Diffuse<S> {
+        self.world.diffuse(at)
+    }
+
+    fn smooth_event(&self, at: &W::Point) -> Option<Event> {
+        self.world.smooth_event(at)
+    }
+
+    fn sample_bsdf(&self, at: &W::Point, vertex: u64, stream: &Stream) -> Option<Step<S>> {
+        self.world.sample_bsdf(at, vertex, stream)
+    }
+
+    fn lights(&self) -> usize {
+        self.world.lights()
+    }
+
+    fn sample_light(
+        &mut self,
+        at: &W::Point,
+        light: usize,
+        vertex: u64,
+        stream: &Stream,
+    ) -> Option<DirectLight> {
+        self.world.sample_light(at, light, vertex, stream)
+    }
+
+    fn pdf_light(&self, from: &W::Point, ray: &Ray<S>, hit: Option<&W::Point>) -> f32 {
+        self.world.pdf_light(from, ray, hit)
+    }
+}
+
 /// Nothing but a surrounding, whose radiance is a function of the direction.
 #[derive(Clone, Copy, Debug)]
 pub struct Sky<F>(pub F);
@@ -118,15 +177,12 @@ pub fn ball<S: Space>(sin_radius: f32, angle: f32) -> Sky<impl Fn(S::Vector) -> 
 pub struct Furnace {
     /// The share of light the walls reflect.
     pub albedo: f32,
-    /// Rays so far.
-    pub rays: u64,
 }
 
 impl<S: Space> World<S> for Furnace {
     lit!(S);
 
     fn intersect(&mut self, ray: &Ray<S>, _: u32) -> Option<Lit<S>> {
-        self.rays += 1;
         // Which way the wall leans is of no account where all walls are alike.
         let Lit { surface, .. } = floor(self.albedo);
         Some(Lit {
@@ -144,11 +200,6 @@ impl<S: Space> World<S> for Furnace {
 }
 
 impl Furnace {
-    /// The furnace, with no ray traced.
-    pub fn new(albedo: f32) -> Self {
-        Furnace { albedo, rays: 0 }
-    }
-
     /// A ray from the eye: any will do.
     pub fn eye<S: Space>() -> Ray<S> {
         Ray::new(S::from_plane(Vec2::ZERO), S::from_plane(Vec2::Y))

@@ -86,7 +86,11 @@ fn lamp<S: Space>(recipe: Recipe, n: u32, seed: u64) -> f64 {
         recipe,
     };
     let (floor, stream) = (worlds::floor::<S>(1.0), Stream::new(seed, 0, 0));
-    f64::from(gather.reflected(&mut worlds::strip::<S>(0.2, 1.0), &floor, &stream).r)
+    f64::from(
+        gather
+            .reflected(&mut worlds::strip::<S>(0.2, 1.0), &floor, &stream)
+            .r,
+    )
 }
 
 fn lamps() -> Vec<Estimator> {
@@ -133,7 +137,11 @@ fn furnace<S: Space>(recipe: Recipe, n: u32, seed: u64) -> f64 {
         recipe,
     };
     let (floor, stream) = (worlds::floor::<S>(1.0), Stream::new(seed, 0, 0));
-    f64::from(gather.reflected(&mut worlds::white::<S>(), &floor, &stream).r)
+    f64::from(
+        gather
+            .reflected(&mut worlds::white::<S>(), &floor, &stream)
+            .r,
+    )
 }
 
 /// One gather of `n` directions by a variant of the list of mistakes.

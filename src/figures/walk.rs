@@ -82,7 +82,13 @@ impl World<Flat> for Watched<'_> {
         self.world.lights()
     }
 
-    fn sample_light(&mut self, at: &FlatHit, lamp: usize, vertex: u64, stream: &Stream) -> Option<DirectLight> {
+    fn sample_light(
+        &mut self,
+        at: &FlatHit,
+        lamp: usize,
+        vertex: u64,
+        stream: &Stream,
+    ) -> Option<DirectLight> {
         let before = self.world.rays;
         let aimed = self.world.sample_light(at, lamp, vertex, stream);
         // A shadow ray was sent: to the point that these numbers give.
@@ -128,7 +134,8 @@ mod tests {
         let eye = Ray::new(Vec2::new(0.4, 0.6), Vec2::new(0.6, -0.8));
         for i in 0..40 {
             let (walk, stream) = (NextEvent { max_depth: 5 }, Stream::new(3, i, 0));
-            let (mut watched, mut plain) = (Watched::new(&room, Lights::All), FlatTracer::new(&room));
+            let (mut watched, mut plain) =
+                (Watched::new(&room, Lights::All), FlatTracer::new(&room));
             let seen = walk.walk(&mut watched, &eye, &stream);
             assert_eq!(seen, walk.walk(&mut plain, &eye, &stream));
             assert_eq!(watched.rays.len(), 5, "a closed room");

@@ -62,10 +62,14 @@ impl Shape {
 
     /// The surface at a crossing of this shape with this ray.
     pub fn surface(&self, ray: &Ray, crossing: Crossing) -> Surface {
-        match self {
+        let surface = match self {
             Shape::Sphere(s) => s.surface(ray, crossing),
             Shape::Quad(q) => q.surface(crossing),
             Shape::Triangle(t) => t.surface(crossing),
+        };
+        Surface {
+            time: ray.time,
+            ..surface
         }
     }
 

@@ -86,10 +86,9 @@ impl Integral {
     fn at(bsdf: &Bsdf) -> Integral {
         match bsdf {
             Bsdf::Glossy(_) | Bsdf::RoughGlass(_) => Integral::Gloss,
-            Bsdf::Lambert(_)
-            | Bsdf::Mixture(_)
-            | Bsdf::Mirror(_)
-            | Bsdf::Glass(_) => Integral::Hemisphere,
+            Bsdf::Lambert(_) | Bsdf::Mixture(_) | Bsdf::Mirror(_) | Bsdf::Glass(_) => {
+                Integral::Hemisphere
+            }
         }
     }
 }

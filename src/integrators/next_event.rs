@@ -51,12 +51,7 @@ impl NextEvent {
 impl NextEvent {
     // ANCHOR: next_event
     /// One estimate of the radiance along a ray from the eye.
-    pub fn walk<S: Space>(
-        &self,
-        world: &mut impl World<S>,
-        ray: &Ray<S>,
-        stream: &Stream,
-    ) -> Rgb {
+    pub fn walk<S: Space>(&self, world: &mut impl World<S>, ray: &Ray<S>, stream: &Stream) -> Rgb {
         let mut li = Rgb::BLACK;
         let mut beta = Rgb::WHITE;
         let mut ray = *ray;

@@ -143,7 +143,12 @@ impl Path {
         stream: &Stream,
         follow: &mut impl Follow,
     ) {
-        self.walk(&mut Guided::<{ kinds::ALL }>::new(tracer), ray, stream, follow);
+        self.walk(
+            &mut Guided::<{ kinds::ALL }>::new(tracer),
+            ray,
+            stream,
+            follow,
+        );
     }
 }
 
@@ -207,8 +212,9 @@ mod tests {
     fn a_kernel_without_something_that_is_there_is_noticed() {
         let path = Path::new(6);
         let load = |name| gallery::load(name).expect(name).sized([16, 12]);
-        let diffuse =
-            Always(|t: &mut Tracer, r: &geometry::Ray, s: &Stream| path.among::<{ kinds::DIFFUSE }>(t, r, s));
+        let diffuse = Always(|t: &mut Tracer, r: &geometry::Ray, s: &Stream| {
+            path.among::<{ kinds::DIFFUSE }>(t, r, s)
+        });
         for scene in ["gloss", "caustic", "mixture"].map(load) {
             assert_ne!(
                 film(&scene, &path),

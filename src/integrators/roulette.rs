@@ -66,12 +66,7 @@ impl Roulette {
 impl Roulette {
     // ANCHOR: roulette
     /// One estimate of the radiance along a ray from the eye.
-    pub fn walk<S: Space>(
-        &self,
-        world: &mut impl World<S>,
-        ray: &Ray<S>,
-        stream: &Stream,
-    ) -> Rgb {
+    pub fn walk<S: Space>(&self, world: &mut impl World<S>, ray: &Ray<S>, stream: &Stream) -> Rgb {
         let mut li = Rgb::BLACK;
         let mut beta = Rgb::WHITE;
         let mut ray = *ray;

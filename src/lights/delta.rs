@@ -22,7 +22,11 @@ impl PointLight {
         let shadow_ray = from.spawn_to_point(self.position);
         (distance2 > 0.0 && irradiance.is_finite()).then_some(LightSample {
             shadow_ray,
-            ..LightSample::from_afar(from, shadow_ray.direction.normalize(), Incident::Irradiance(irradiance))
+            ..LightSample::from_afar(
+                from,
+                shadow_ray.direction.normalize(),
+                Incident::Irradiance(irradiance),
+            )
         })
     }
 }

@@ -1,10 +1,10 @@
-//! A material of which is known beforehand what it may be.
+//! A BSDF known to be one of a few kinds.
 
-use super::{Event, Bsdf, BsdfSample};
+use super::{Bsdf, BsdfSample, Event};
 use crate::color::Rgb;
 use glam::Vec3;
 
-/// Sets of materials besides `Lambert`, which is in each, as bits: what stands between the angle
+/// Sets of BSDFs besides `Lambert`, which is in each, as bits: what stands between the angle
 /// brackets of [`Among`].
 pub mod kinds {
     /// Only what is ideally diffuse.
@@ -13,23 +13,23 @@ pub mod kinds {
     pub const SPECULAR: u8 = 1;
     /// Lobes of some width: `Glossy`, `RoughGlass`.
     pub const GLOSS: u8 = 2;
-    /// Every material.
+    /// Every BSDF.
     pub const ALL: u8 = SPECULAR | GLOSS;
 }
 
-/// A material among those of the set `KINDS`, a constant of [`kinds`]: code for the others is not
-/// there. A material outside the set is black.
+/// A BSDF among those of the set `KINDS`, a constant of [`kinds`]: code for the others is not there. A
+/// BSDF outside the set is black.
 #[derive(Clone, Copy, Debug)]
-pub struct Among<const KINDS: u8>(pub Bsdf);
+pub struct Among<'a, const KINDS: u8>(pub &'a Bsdf);
 
-impl<const KINDS: u8> Among<KINDS> {
+impl<const KINDS: u8> Among<'_, KINDS> {
     const SPECULAR: bool = KINDS & kinds::SPECULAR != 0;
     const GLOSS: bool = KINDS & kinds::GLOSS != 0;
 
     /// See [`Bsdf::f`].
     #[inline]
     pub fn f(&self, wo: Vec3, wi: Vec3) -> Rgb {
-        match &self.0 {
+        match self.0 {
             Bsdf::Lambert(m) => m.f(wo, wi),
             Bsdf::Glossy(m) if Self::GLOSS => m.f(wo, wi),
             Bsdf::RoughGlass(m) if Self::GLOSS => m.f(wo, wi),
@@ -41,7 +41,7 @@ impl<const KINDS: u8> Among<KINDS> {
     /// See [`Bsdf::scatter`].
     #[inline]
     pub fn scatter(&self, wo: Vec3, choice: f32, u: [f32; 2]) -> Option<BsdfSample> {
-        match &self.0 {
+        match self.0 {
             Bsdf::Lambert(m) => m.scatter(wo, u),
             Bsdf::Mirror(m) if Self::SPECULAR => m.specular(wo).scatter(choice),
             Bsdf::Glass(m) if Self::SPECULAR => m.specular(wo).scatter(choice),
@@ -55,7 +55,7 @@ impl<const KINDS: u8> Among<KINDS> {
     /// See [`Bsdf::pdf`].
     #[inline]
     pub fn pdf(&self, wo: Vec3, wi: Vec3) -> f32 {
-        match &self.0 {
+        match self.0 {
             Bsdf::Lambert(m) => m.pdf(wo, wi),
             Bsdf::Glossy(m) if Self::GLOSS => m.pdf(wo, wi),
             Bsdf::RoughGlass(m) if Self::GLOSS => m.pdf(wo, wi),
@@ -67,7 +67,7 @@ impl<const KINDS: u8> Among<KINDS> {
     /// See [`Bsdf::smooth_event`].
     #[inline]
     pub fn smooth_event(&self) -> Option<Event> {
-        match &self.0 {
+        match self.0 {
             Bsdf::Lambert(_) => Some(Event::Diffuse),
             Bsdf::Glossy(_) | Bsdf::RoughGlass(_) if Self::GLOSS => Some(Event::Gloss),
             Bsdf::Mixture(m) if Self::SPECULAR => (!m.kd.is_black()).then_some(Event::Diffuse),
@@ -93,18 +93,18 @@ mod tests {
         });
         let glass = Bsdf::Glass(Glass { ior: 1.5 });
         let diffuse = Among::<{ kinds::DIFFUSE }>;
-        assert_eq!(diffuse(lambert).f(wo, wi), lambert.f(wo, wi));
-        assert_eq!(diffuse(lambert).pdf(wo, wi), lambert.pdf(wo, wi));
+        assert_eq!(diffuse(&lambert).f(wo, wi), lambert.f(wo, wi));
+        assert_eq!(diffuse(&lambert).pdf(wo, wi), lambert.pdf(wo, wi));
         for absent in [glossy, glass] {
-            assert_eq!(diffuse(absent).f(wo, wi), Rgb::BLACK);
-            assert!(diffuse(absent).scatter(wo, 0.5, [0.5; 2]).is_none());
-            assert_eq!(diffuse(absent).smooth_event(), None);
+            assert_eq!(diffuse(&absent).f(wo, wi), Rgb::BLACK);
+            assert!(diffuse(&absent).scatter(wo, 0.5, [0.5; 2]).is_none());
+            assert_eq!(diffuse(&absent).smooth_event(), None);
         }
         let gloss = Among::<{ kinds::GLOSS }>;
         assert!(!glossy.f(wo, wi).is_black());
-        assert_eq!(gloss(glossy).f(wo, wi), glossy.f(wo, wi));
-        assert!(gloss(glass).scatter(wo, 0.5, [0.5; 2]).is_none());
+        assert_eq!(gloss(&glossy).f(wo, wi), glossy.f(wo, wi));
+        assert!(gloss(&glass).scatter(wo, 0.5, [0.5; 2]).is_none());
         let specular = Among::<{ kinds::SPECULAR }>;
-        assert!(specular(glass).scatter(wo, 0.5, [0.5; 2]).is_some());
+        assert!(specular(&glass).scatter(wo, 0.5, [0.5; 2]).is_some());
     }
 }

@@ -1,7 +1,7 @@
 //! Reflection by a rough mirror.
 
 use super::ggx::Ggx;
-use super::{Event, BsdfSample};
+use super::{BsdfSample, Event};
 use crate::color::Rgb;
 use glam::{DVec3, Vec3};
 

@@ -1,6 +1,6 @@
 //! Ideal diffuse reflection.
 
-use super::{Event, BsdfSample};
+use super::{BsdfSample, Event};
 use crate::color::Rgb;
 use crate::sampling::hemisphere;
 use glam::Vec3;

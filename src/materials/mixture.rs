@@ -2,7 +2,7 @@
 
 use super::glass::refract;
 use super::mirror::reflect;
-use super::{Branch, Event, Lambert, BsdfSample, Specular};
+use super::{Branch, BsdfSample, Event, Lambert, Specular};
 use crate::color::Rgb;
 use glam::Vec3;
 

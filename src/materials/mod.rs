@@ -160,8 +160,8 @@ impl Bsdf {
         }
     }
 
-    fn any(&self) -> Among<{ kinds::ALL }> {
-        Among(*self)
+    fn any(&self) -> Among<'_, { kinds::ALL }> {
+        Among(self)
     }
 
     /// False where all light goes through perfectly specular directions: `f` is black there, and
@@ -176,9 +176,7 @@ impl Bsdf {
             Bsdf::Mirror(m) => m.specular(wo),
             Bsdf::Glass(m) => m.specular(wo),
             Bsdf::Mixture(m) => m.specular(wo),
-            Bsdf::Lambert(_) | Bsdf::Glossy(_) | Bsdf::RoughGlass(_) => {
-                Specular::default()
-            }
+            Bsdf::Lambert(_) | Bsdf::Glossy(_) | Bsdf::RoughGlass(_) => Specular::default(),
         }
     }
 

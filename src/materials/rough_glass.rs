@@ -2,7 +2,7 @@
 
 use super::ggx::Ggx;
 use super::glass::eta;
-use super::{Event, BsdfSample, fresnel};
+use super::{BsdfSample, Event, fresnel};
 use crate::color::Rgb;
 use glam::{DVec3, Vec3};
 

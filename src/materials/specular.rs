@@ -1,6 +1,6 @@
 //! Perfectly specular directions with their weights.
 
-use super::{Event, BsdfSample};
+use super::{BsdfSample, Event};
 use crate::color::Rgb;
 use glam::Vec3;
 

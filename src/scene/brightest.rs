@@ -25,7 +25,12 @@ impl Scene {
         let mut albedo = 0.0_f32;
         for object in &self.objects {
             emission = emission.max(object.emission.brightest().max_channel());
-            albedo = albedo.max(object.material.as_ref().map_or(0.0, |m| m.brightest().albedo().max_channel()));
+            albedo = albedo.max(
+                object
+                    .material
+                    .as_ref()
+                    .map_or(0.0, |m| m.brightest().albedo().max_channel()),
+            );
         }
         // Shares that add up to one may do so up to a rounding.
         let (emission, albedo) = (f64::from(emission), f64::from(albedo).min(1.0));

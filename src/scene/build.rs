@@ -12,8 +12,8 @@ use super::parts::Parts;
 use super::placement::Placement;
 use super::value::{Positive, Whole};
 use super::{
-    BuildReport, Casters, Contacts, Inventory, Mapping, Object, Scene, Sky, Suggested, lamps, procedural,
-    spacing,
+    BuildReport, Casters, Contacts, Inventory, Mapping, Object, Scene, Sky, Suggested, lamps,
+    procedural, spacing,
 };
 use crate::camera::{Camera, Lens};
 use crate::geometry::{Bvh, Quad, Shape, Sphere};
@@ -80,7 +80,9 @@ pub(super) fn assemble(from: &Arc<MadeFrom>) -> Checked<Scene> {
         motion::part(parts.all, &parts.objects, &parts.spans, parts.lights.len());
     let placed = motion::placed(&shapes, &object_of_shape, in_motion.as_ref());
     for (number, shape) in placed.iter().enumerate().rev() {
-        parts.objects[shape.object as usize].mapping.begin_at(number as u32);
+        parts.objects[shape.object as usize]
+            .mapping
+            .begin_at(number as u32);
     }
     let contacts = Contacts::new(&placed, &parts.objects, parts.lights.len());
     let span = |light: usize| {

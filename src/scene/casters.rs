@@ -72,7 +72,12 @@ impl Casters {
             let its = all.filter(move |(owner, _)| **owner == id);
             its.map(|(_, shape)| *shape).collect::<Vec<_>>()
         };
-        let specular = among(|object| object.material.as_ref().is_some_and(|m| !m.brightest().is_smooth()));
+        let specular = among(|object| {
+            object
+                .material
+                .as_ref()
+                .is_some_and(|m| !m.brightest().is_smooth())
+        });
         let bright = among(|object| object.light.is_some());
         if specular.len() > MOST {
             return Casters::default();
@@ -85,7 +90,10 @@ impl Casters {
         let caster = |id: u32| {
             let shapes = shapes_of(id);
             let ball = Ball::around(&shapes)?;
-            let material = objects[id as usize].material.as_ref().map(Material::brightest);
+            let material = objects[id as usize]
+                .material
+                .as_ref()
+                .map(Material::brightest);
             let ways = match (shapes.as_slice(), material) {
                 ([Shape::Sphere(_)], Some(Bsdf::Mirror(_))) => MIRROR.to_vec(),
                 ([Shape::Sphere(_)], Some(Bsdf::Glass(glass))) => through(glass.ior).to_vec(),
@@ -226,13 +234,17 @@ mod tests {
 
     /// Balls on the x axis.
     fn casters<const N: usize>(balls: [(Material, f32, f32); N]) -> Casters {
-        let object = |(material, _, _)| Object {
+        let shape = |x, radius| Shape::Sphere(Sphere::new(Vec3::new(x, 0.0, 0.0), radius));
+        let owners: Vec<u32> = (0..N as u32).collect();
+        let shapes: Vec<Shape> = balls
+            .iter()
+            .map(|(_, x, radius)| shape(*x, *radius))
+            .collect();
+        let objects = balls.map(|(material, _, _)| Object {
             material: Some(material),
             ..Object::default()
-        };
-        let shape = |(_, x, radius)| Shape::Sphere(Sphere::new(Vec3::new(x, 0.0, 0.0), radius));
-        let owners: Vec<u32> = (0..N as u32).collect();
-        Casters::new(&balls.map(object), &balls.map(shape), &owners)
+        });
+        Casters::new(&objects, &shapes, &owners)
     }
 
     #[test]

@@ -57,7 +57,10 @@ impl Description {
             });
         let colors = self.materials.values().flat_map(Material::colors);
         let textures = colors.flatten().filter_map(Textured::file);
-        let emissions = self.objects.iter().filter_map(|object| object.emits.as_ref());
+        let emissions = self
+            .objects
+            .iter()
+            .filter_map(|object| object.emits.as_ref());
         let lights = emissions.filter_map(Textured::file);
         meshes.chain(textures).chain(lights).chain(self.image())
     }

@@ -49,10 +49,7 @@ impl<'a> Interaction<'a> {
         let uv = || object.mapping.uv(hit);
         Interaction {
             t: hit.crossing.t,
-            surface: Surface {
-                time: ray.time,
-                ..hit.surface
-            },
+            surface: hit.surface,
             frame,
             wo: frame.to_local(back),
             back,

@@ -1,11 +1,11 @@
 //! Lights, as a scene is put together: those without a surface, shapes that shine, what is beyond.
 
-use super::{Mapping, Object};
 use super::description as said;
 use super::field::{Checked, Problem, Within, check};
 use super::image_file;
 use super::parts::{Parts, alone};
 use super::value::{Finite, Positive, Radiance};
+use super::{Mapping, Object};
 use crate::color::Rgb;
 use crate::geometry::Shape;
 use crate::lights::{
@@ -54,7 +54,10 @@ impl Parts<'_> {
         let mut which: Vec<usize> = (0..shapes.len()).collect();
         let mut together = shapes.len();
         if let Some(Emission { two_sided, .. }) = emission {
-            which.retain(|&i| self.lamp_places.insert(place_of(&shapes[i], span, two_sided)));
+            which.retain(|&i| {
+                self.lamp_places
+                    .insert(place_of(&shapes[i], span, two_sided))
+            });
             shapes = which.iter().map(|&i| shapes[i]).collect();
             self.hidden_lamps += together - shapes.len();
             if !matches!(shapes.first(), Some(Shape::Triangle(_))) {
@@ -64,7 +67,9 @@ impl Parts<'_> {
         let together = together.max(1);
         for (shapes, which) in shapes.chunks(together).zip(which.chunks(together)) {
             let object = self.objects.len() as u32;
-            let light = emission.as_ref().and_then(|emission| emission.light(shapes));
+            let light = emission
+                .as_ref()
+                .and_then(|emission| emission.light(shapes));
             let emission = emission.as_ref().filter(|_| light.is_some());
             self.objects.push(Object {
                 material: material.clone(),

@@ -35,10 +35,10 @@ pub mod value;
 pub use casters::{Casters, SeenCasters};
 pub use effects::{Effect, Effects, Inventory, Sky};
 pub use gallery::load;
-pub use read::SceneError;
-pub use spacing::Coarse;
 pub use interaction::Interaction;
 pub use mapping::Mapping;
+pub use read::SceneError;
+pub use spacing::Coarse;
 pub use tracer::{RayCounts, Tracer};
 
 use crate::camera::Camera;

@@ -210,12 +210,17 @@ impl<'de> Deserializer<'de> for Value<'_> {
         variants: &'static [&'static str],
         visitor: V,
     ) -> Checked<V::Value> {
-        if let (Some(name), Value::Said(said)) = (variants.iter().find(|v| v.starts_with("a ")), &self)
+        if let (Some(name), Value::Said(said)) =
+            (variants.iter().find(|v| v.starts_with("a ")), &self)
             && !said.is_table()
         {
             return visitor.visit_enum(Variant(name, self));
         }
-        let named: Vec<&str> = variants.iter().copied().filter(|v| !v.starts_with("a ")).collect();
+        let named: Vec<&str> = variants
+            .iter()
+            .copied()
+            .filter(|v| !v.starts_with("a "))
+            .collect();
         let variants = named.as_slice();
         let (mut entries, beside) = self.entries(variants)?;
         if let Some((key, _)) = entries.iter().find(|(key, _)| !variants.contains(key)) {

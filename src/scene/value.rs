@@ -240,7 +240,7 @@ mod tests {
         Description {
             name: "in code".to_owned(),
             objects: vec![Object {
-                emits: Some(Emission([1.0; 3])),
+                emits: Some(Emission([1.0; 3]).into()),
                 ..ball.into()
             }],
             lights: vec![Light::Point {

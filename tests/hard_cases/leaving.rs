@@ -276,6 +276,7 @@ fn a04_self_intersection_of_shadow_rays_with_their_lamp() {
                     p,
                     error: p.abs() * f32::EPSILON,
                     n: -out,
+                    time: 0.0,
                 };
                 let blocked = |ray: &Ray| lamp.cross(&PreparedRay::from(ray), ray.t_max).is_some();
                 rays += 1;

@@ -2,7 +2,7 @@
 
 use super::draw::Draw;
 use glam::Vec3;
-use halfdisk::geometry::{Aabb, brute_force_at};
+use halfdisk::geometry::{Aabb, Primitive};
 use halfdisk::geometry::{Bvh, Moving, PreparedRay, Shape, Sphere, Surface, brute_force};
 
 /// A shape and a motion of comparable size, at any place.
@@ -52,14 +52,14 @@ fn a09_a_tree_of_moving_shapes_answers_as_the_loop_does_at_every_time() {
         let bvh = Bvh::new(&shapes);
         for i in 0..1000 {
             let time = [0.0, 1.0, draw.one()][i % 3];
-            let ray = Draw::towards(draw.cube(6.0), draw.cube(3.0));
+            let ray = Draw::towards(draw.cube(6.0), draw.cube(3.0)).at_time(time);
             let bits = |t: f32, id: u32| (t.to_bits(), id);
-            let tree = bvh.first(&ray, time).map(|f| bits(f.crossing.t, f.id));
+            let tree = bvh.first(&ray).map(|f| bits(f.crossing.t, f.id));
             let still: Vec<Shape> = shapes.iter().map(|s| s.at(time)).collect();
             let all = brute_force(&still, &ray).map(|(x, id)| bits(x.t, id));
             assert_eq!(tree, all, "{ray:?} at {time}");
-            assert_eq!(bvh.any(&ray, time), all.is_some());
-            let frozen = brute_force_at(&shapes, &ray, 0.5).map(|(x, id)| bits(x.t, id));
+            assert_eq!(bvh.any(&ray), all.is_some());
+            let frozen = brute_force(&shapes, &ray.at_time(0.5)).map(|(x, id)| bits(x.t, id));
             hits += usize::from(tree.is_some());
             at_another_time += usize::from(frozen != all);
         }
@@ -77,13 +77,13 @@ fn a09_a_motion_of_zero_changes_no_bit() {
         let shape = draw.shape(i as usize, center, 1.0);
         let moving = Moving::new(shape, Vec3::ZERO).expect("finite");
         let time = draw.one();
-        let ray = Draw::towards(draw.cube(10.0), center + draw.cube(0.2));
+        let ray = Draw::towards(draw.cube(10.0), center + draw.cube(0.2)).at_time(time);
         let prepared = PreparedRay::from(&ray);
         assert_eq!(moving.bounds(), shape.bounds());
         let crossing = shape.cross(&prepared, f32::MAX);
-        assert_eq!(moving.cross(&prepared, time, f32::MAX), crossing);
+        assert_eq!(moving.cross(&prepared, f32::MAX), crossing);
         if let Some(x) = crossing {
-            let [a, b] = [shape.surface(&ray, x), moving.surface(&ray, time, x)];
+            let [a, b] = [shape.surface(&ray, x), moving.surface(&ray, x)];
             assert_eq!((a.p, a.error, a.n), (b.p, b.error, b.n));
             compared += 1;
         }
@@ -109,18 +109,19 @@ fn a04_self_intersection_of_moving_shapes() {
         let there = moving.at(time);
         let middle = there.bounds().center();
         let ray = Draw::towards(middle + draw.direction() * 10.0, middle + draw.cube(0.3));
+        let ray = ray.at_time(time);
         let prepared = PreparedRay::from(&ray);
-        let Some(x) = moving.cross(&prepared, time, f32::MAX) else {
+        let Some(x) = moving.cross(&prepared, f32::MAX) else {
             continue;
         };
-        let surface = moving.surface(&ray, time, x);
+        let surface = moving.surface(&ray, x);
         let plain = there.surface(&ray, x);
         for k in 0..20 {
             let side = if k % 2 == 0 { surface.n } else { -surface.n };
             let out = draw.leaving(side);
             let meets = |s: &Surface, time: f32| {
-                let ray = s.spawn(out);
-                let again = moving.cross(&PreparedRay::from(&ray), time, f32::MAX);
+                let ray = s.spawn(out).at_time(time);
+                let again = moving.cross(&PreparedRay::from(&ray), f32::MAX);
                 again.is_some_and(|x| match moving.at(time) {
                     // From inside, the ray meets the sphere on its way out.
                     Shape::Sphere(s) => (ray.at(x.t) - s.center).dot(out) <= 0.0,

@@ -11,7 +11,7 @@ use halfdisk::geometry::{PreparedRay, Quad, Ray, Shape, Sphere, Surface, Triangl
 use halfdisk::lights::{
     DirectionalLight, Incident, Light, PointLight, QuadLight, SphereLight, TriangleLight,
 };
-use halfdisk::materials::{Glass, Lambert, Material, Mirror, Mixture};
+use halfdisk::materials::{Bsdf, Glass, Lambert, Mirror, Mixture};
 use halfdisk::sampling::{LAST_UNIFORM, half_disk, hemisphere, stream::Stream, warps};
 use proptest::prelude::*;
 use proptest::test_runner::RngSeed;
@@ -142,10 +142,10 @@ proptest! {
                  k in [0.0..1.0_f32, 0.0..1.0_f32, 0.0..1.0_f32], ior in 0.1..10.0_f32) {
         let [kd, ks, kt] = k.map(|k| Rgb::grey(k / k.max(1.0) / 3.0));
         for material in [
-            Material::Lambert(Lambert { albedo: kd }),
-            Material::Mirror(Mirror { reflectance: ks }),
-            Material::Glass(Glass { ior }),
-            Material::Mixture(Mixture { kd, ks, kt, ior }),
+            Bsdf::Lambert(Lambert { albedo: kd }),
+            Bsdf::Mirror(Mirror { reflectance: ks }),
+            Bsdf::Glass(Glass { ior }),
+            Bsdf::Mixture(Mixture { kd, ks, kt, ior }),
         ] {
             prop_assert!(material.f(wo, wi).is_finite() && material.pdf(wo, wi) >= 0.0);
             if let Some(next) = material.scatter(wo, choice, u) {
@@ -158,7 +158,7 @@ proptest! {
 
     #[test]
     fn lights(shape in shape(), p in vector(), n in unit(), u in [uniform(), uniform()]) {
-        let from = Surface { p, error: p.abs() * 1e-6, n };
+        let from = Surface { p, error: p.abs() * 1e-6, n, time: 0.0 };
         let radiance = Rgb::WHITE;
         let light = match shape {
             Some(Shape::Sphere(sphere)) => Light::Sphere(SphereLight { sphere, radiance }),

@@ -6,7 +6,7 @@ use glam::{DVec3, Vec3};
 use halfdisk::color::Rgb;
 use halfdisk::geometry::Ray;
 use halfdisk::integrators::{Integrator, Kajiya, LADDER, Whitted};
-use halfdisk::materials::{Branch, Choice, Glass, Lambert, Material, Mirror, Mixture, fresnel};
+use halfdisk::materials::{Branch, Bsdf, Choice, Glass, Lambert, Mirror, Mixture, fresnel};
 use halfdisk::numeric::naive;
 use halfdisk::sampling::stream::Stream;
 use halfdisk::scene::{Scene, Tracer};
@@ -239,12 +239,12 @@ fn a36_no_material_gives_back_more_than_it_gets() {
         ior: 1.5,
     };
     let all = [
-        (Material::Lambert(Lambert { albedo: white }), true),
-        (Material::Mirror(Mirror { reflectance: white }), true),
-        (Material::Glass(Glass { ior: 1.5 }), true),
-        (Material::Mixture(mixture), true),
-        (Material::glossy(white, 0.3), false),
-        (Material::rough_glass(1.5, 0.3), false),
+        (Bsdf::Lambert(Lambert { albedo: white }), true),
+        (Bsdf::Mirror(Mirror { reflectance: white }), true),
+        (Bsdf::Glass(Glass { ior: 1.5 }), true),
+        (Bsdf::Mixture(mixture), true),
+        (Bsdf::glossy(white, 0.3), false),
+        (Bsdf::rough_glass(1.5, 0.3), false),
     ];
     let mut draw = Draw::new(36, 0);
     let (mut worst, mut most) = (0.0_f64, 0.0_f64);

@@ -2,7 +2,8 @@
 
 use super::{CRITICAL, accept, radiance};
 use halfdisk::color::Rgb;
-use halfdisk::estimators::survival::{Furnace, Game};
+use halfdisk::estimators::survival::Game;
+use halfdisk::estimators::worlds::{Counted, Furnace};
 use halfdisk::integrators::world::World;
 use halfdisk::integrators::{Kajiya, Path, Roulette, Survival};
 use halfdisk::sampling::stream::{Purpose, Stream};
@@ -10,22 +11,28 @@ use halfdisk::scene::gallery;
 use halfdisk::space::Flat;
 use halfdisk::stats::Estimate;
 
+fn furnace(albedo: f64) -> Counted<Furnace> {
+    Counted::new(Furnace {
+        albedo: albedo as f32,
+    })
+}
+
 /// The value of one walk in a furnace without shapes, and its segments.
 fn walk(albedo: f64, survival: Survival, stream: &Stream) -> (f64, u64) {
-    let mut room = Furnace::new(albedo as f32);
+    let mut room = furnace(albedo);
     let li = Roulette { survival }.walk::<Flat>(&mut room, &Furnace::eye(), stream);
     (f64::from(li.r), room.rays)
 }
 
 /// Roulette whose survivors do not stand for those that ended.
 fn unweighted(albedo: f64, q: f32, stream: &Stream) -> f64 {
-    let mut room = Furnace::new(albedo as f32);
+    let mut room = furnace(albedo);
     let mut beta = Rgb::WHITE;
     let mut li = 0.0;
     for place in 1.. {
-        World::<Flat>::follow(&mut room, &Furnace::eye(), 1);
+        World::<Flat>::intersect(&mut room, &Furnace::eye(), 1);
         li += f64::from(beta.r);
-        beta *= room.albedo;
+        beta = beta * room.world.albedo;
         if stream.at(place, Purpose::Survival).one() >= q {
             break;
         }
@@ -40,7 +47,7 @@ fn s1_02_a_cut_loses_a_power_of_the_albedo_and_roulette_nothing() {
         let cut = Kajiya {
             max_depth: bounces + 1,
         };
-        let mut room = Furnace::new(albedo as f32);
+        let mut room = furnace(albedo);
         let read = cut.walk::<Flat>(&mut room, &Furnace::eye(), &Stream::new(1, 0, 0));
         let lost = 1.0 - f64::from(read.r) * (1.0 - albedo);
         assert!(

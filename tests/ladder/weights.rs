@@ -145,7 +145,7 @@ fn inside_a_glowing_room_every_walk_reads_the_closed_form() {
         let room = gallery::load_with("furnace", |said| {
             for material in said.materials.values_mut() {
                 *material = Material::Lambert {
-                    albedo: Albedo([albedo; 3]),
+                    albedo: Albedo([albedo; 3]).into(),
                 };
             }
         })

@@ -3,7 +3,6 @@
 use halfdisk::color::Rgb;
 use halfdisk::geometry::Ray;
 use halfdisk::integrators::{Integrator, direct_light};
-use halfdisk::sampling::frame::Frame;
 use halfdisk::sampling::stream::{Purpose, Stream};
 use halfdisk::scene::Tracer;
 
@@ -36,22 +35,21 @@ impl Integrator for Wrong {
                 return li + beta * tracer.scene().background(ray.direction);
             };
             if !asked || self.slip == Slip::CountTwice {
-                li += beta * here.emitted(-ray.direction);
+                li += beta * here.emission;
             }
-            let Some(material) = here.object.material.filter(|_| depth < self.max_depth) else {
+            let Some(bsdf) = here.bsdf.filter(|_| depth < self.max_depth) else {
                 break;
             };
             let bounce = u64::from(depth);
-            li += beta * direct_light(tracer, &ray, &here, bounce, stream);
-            let frame = Frame::new(here.surface.n);
-            let wo = frame.to_local(-ray.direction);
+            li += beta * direct_light(tracer, &here, bounce, stream);
+            let (frame, wo) = (here.frame, here.wo);
             let u = stream.at(bounce, Purpose::Direction).two();
             let u_branch = stream.at(bounce, Purpose::Branch).one();
-            let Some(next) = material.scatter(wo, u_branch, u) else {
+            let Some(next) = bsdf.scatter(wo, u_branch, u) else {
                 break;
             };
             asked = next.pdf.is_some() || self.slip == Slip::NeverAfterSpecular;
-            let all = material.specular(wo);
+            let all = bsdf.specular(wo);
             let mirrored = (next.wi.z > 0.0) == (wo.z > 0.0);
             let branch = if mirrored {
                 all.reflected

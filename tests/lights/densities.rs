@@ -32,7 +32,7 @@ pub fn worst_difference(scene: &Scene, from: &Surface, samples: u32) -> f32 {
         assert_eq!(hit.object.light, Some(0));
         met += 1;
         // Another triangle of the mesh is nearer.
-        if !tracer.is_free(&sample.shadow_ray) {
+        if !tracer.unoccluded(&sample.shadow_ray) {
             continue;
         }
         worst = worst.max((light.pdf(from, sample.wi, Some(&hit.surface)) / pdf - 1.0).abs());
@@ -98,6 +98,7 @@ fn both_sides_are_aimed_at() {
             p: Vec3::new(500.0, 9000.0, 0.3),
             error: Vec3::ZERO,
             n: Vec3::NEG_Y,
+            time: 0.0,
         };
         for from in [&GROUND, &above] {
             let aimed = (0..1000).filter(|i| {

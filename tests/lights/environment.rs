@@ -316,7 +316,7 @@ fn integrators_count_the_sky_once() {
     // The mistake of counting it where it is asked for and where it is met.
     let twice = run(
         &|t, r, s| {
-            let asked = t.camera_ray(r).map(|hit| direct_light(t, r, &hit, 1, s));
+            let asked = t.camera_ray(r).map(|hit| direct_light(t, &hit, 1, s));
             Kajiya { max_depth: 2 }.li(t, r, s) + asked.unwrap_or_default()
         },
         down,

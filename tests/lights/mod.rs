@@ -25,6 +25,7 @@ pub const GROUND: Surface = Surface {
     p: Vec3::ZERO,
     error: Vec3::ZERO,
     n: Vec3::Y,
+    time: 0.0,
 };
 
 /// A scene of these objects and lights, seen from the origin.

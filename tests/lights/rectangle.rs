@@ -147,6 +147,7 @@ fn no_light_edge_on_behind_and_on_the_lamp() {
         p: Vec3::new(0.1, h, 0.2),
         error: Vec3::splat(1e-7),
         n: Vec3::Y,
+        time: 0.0,
     };
     let light = Light::Quad(square(1.0));
     let aside = Surface {

@@ -44,6 +44,7 @@ fn a23_density_times_solid_angle_is_one() {
                 p: end.as_vec3(),
                 n: -sample.wi,
                 error: Vec3::ZERO,
+                time: 0.0,
             };
             assert_eq!(light.pdf(&GROUND, sample.wi, Some(&at)), pdf);
         }
@@ -70,6 +71,7 @@ fn a23_directions_to_balls_of_any_size_are_uniform() {
         p: Vec3::new(3.0, 4.0, -12.0),
         error: Vec3::ZERO,
         n: Vec3::Z,
+        time: 0.0,
     };
     let axis = -from.p.as_dvec3() / 13.0;
     let (across, beside) = axis.any_orthonormal_pair();
@@ -117,6 +119,7 @@ fn a23_on_and_inside_it_is_dark_and_finite() {
             p: Vec3::new(0.0, distance, 0.0),
             error: Vec3::splat(2.0 * ulp),
             n: Vec3::NEG_Y,
+            time: 0.0,
         };
         let e = irradiance(&light, &from, 1000);
         let at = Surface {

@@ -2,14 +2,14 @@
 
 use super::{CRITICAL, direction, glossy, integrals, numbers, rough_glass};
 use glam::DVec3;
-use halfdisk::materials::Material;
+use halfdisk::materials::Bsdf;
 use halfdisk::materials::ggx::Ggx;
 use halfdisk::stats::Estimate;
 use halfdisk::stats::z_test::z_test;
 use std::f64::consts::{LN_2, PI};
 
 /// The mean weight of a path that goes on.
-fn furnace(material: &Material, cos: f32) -> Estimate {
+fn furnace(material: &Bsdf, cos: f32) -> Estimate {
     let wo = direction(cos);
     (0..200_000)
         .map(|i| {

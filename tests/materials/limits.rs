@@ -3,13 +3,13 @@
 use super::{direction, numbers};
 use glam::Vec3;
 use halfdisk::color::Rgb;
-use halfdisk::materials::{Material, SMOOTH};
+use halfdisk::materials::{Bsdf, SMOOTH};
 use halfdisk::sampling::warps;
 use proptest::prelude::*;
 use proptest::test_runner::RngSeed;
 
 /// Everything that may come of a material is a finite number of the right sign.
-fn sound(material: &Material, wo: Vec3, wi: Vec3, choice: f32, u: [f32; 2]) {
+fn sound(material: &Bsdf, wo: Vec3, wi: Vec3, choice: f32, u: [f32; 2]) {
     let say = || format!("{material:?} {wo} {wi} {choice} {u:?}");
     let f = material.f(wo, wi);
     assert!(f.is_finite() && f.r >= 0.0, "{}: {f:?}", say());
@@ -32,8 +32,8 @@ fn sound(material: &Material, wo: Vec3, wi: Vec3, choice: f32, u: [f32; 2]) {
 #[test]
 fn a35_finite_from_almost_smooth_to_rough_and_down_to_grazing() {
     for alpha in [1e-6, 1e-4, 1e-3, 0.01, 0.1, 1.0] {
-        let mirror = Material::glossy(Rgb::WHITE, alpha);
-        let glass = Material::rough_glass(1.5, alpha);
+        let mirror = Bsdf::glossy(Rgb::WHITE, alpha);
+        let glass = Bsdf::rough_glass(1.5, alpha);
         assert_eq!(mirror.is_smooth(), alpha >= SMOOTH);
         assert_eq!(glass.is_smooth(), alpha >= SMOOTH);
         for cos in [1.0, 0.5, 1e-2, 1e-4, 1e-20, 0.0] {
@@ -63,7 +63,7 @@ fn a35_finite_from_almost_smooth_to_rough_and_down_to_grazing() {
 fn towards_no_roughness_it_is_the_mirror_and_the_glass() {
     // Light that depends on the direction, smoothly.
     let light = |w: Vec3| f64::from(2.0 + w.x - 0.5 * w.y * w.z + w.z);
-    let mean = |material: &Material, wo: Vec3| {
+    let mean = |material: &Bsdf, wo: Vec3| {
         let n = 100_000;
         let one = |i| {
             let (choice, u) = numbers(i);
@@ -77,14 +77,14 @@ fn towards_no_roughness_it_is_the_mirror_and_the_glass() {
         let wo = direction(cos);
         for (rough, twin, blunt) in [
             (
-                Material::glossy(white, SMOOTH),
-                Material::glossy(white, 0.5 * SMOOTH),
-                Material::glossy(white, 0.5),
+                Bsdf::glossy(white, SMOOTH),
+                Bsdf::glossy(white, 0.5 * SMOOTH),
+                Bsdf::glossy(white, 0.5),
             ),
             (
-                Material::rough_glass(1.5, SMOOTH),
-                Material::rough_glass(1.5, 0.5 * SMOOTH),
-                Material::rough_glass(1.5, 0.5),
+                Bsdf::rough_glass(1.5, SMOOTH),
+                Bsdf::rough_glass(1.5, 0.5 * SMOOTH),
+                Bsdf::rough_glass(1.5, 0.5),
             ),
         ] {
             let [rough, twin, blunt] = [rough, twin, blunt].map(|m| mean(&m, wo));
@@ -121,9 +121,9 @@ proptest! {
             wo = Vec3::new(wo.x, wo.y, wo.z * libm::powf(10.0, flat)).normalize();
         }
         for material in [
-            Material::glossy(Rgb::WHITE, alpha),
-            Material::rough_glass(ior, alpha),
-            Material::rough_glass(1.0, alpha),
+            Bsdf::glossy(Rgb::WHITE, alpha),
+            Bsdf::rough_glass(ior, alpha),
+            Bsdf::rough_glass(1.0, alpha),
         ] {
             sound(&material, wo, wi, u(choice), [u(e), u(f)]);
         }

@@ -2,7 +2,7 @@
 
 use super::{CRITICAL, direction, numbers};
 use halfdisk::color::Rgb;
-use halfdisk::materials::{Choice, Event, Material, Mixture, BsdfSample};
+use halfdisk::materials::{Bsdf, BsdfSample, Choice, Event, Mixture};
 use halfdisk::stats::Estimate;
 use halfdisk::stats::chi_square::chi_square;
 use halfdisk::stats::z_test::z_test;
@@ -160,7 +160,7 @@ fn what_weighs_nothing_is_never_chosen_and_nothing_is_lost_at_the_ends() {
             assert_eq!(mirror.wi.z, wo.z);
         }
     }
-    let smooth = |k| Material::Mixture(grey(k)).is_smooth();
+    let smooth = |k| Bsdf::Mixture(grey(k)).is_smooth();
     assert!(smooth([0.1, 0.5, 0.1]) && !smooth([0.0, 0.5, 0.5]));
 }
 

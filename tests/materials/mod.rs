@@ -7,7 +7,7 @@ mod mixture;
 
 use glam::{DVec3, Vec3};
 use halfdisk::color::Rgb;
-use halfdisk::materials::{Glossy, Lambert, Material, Mixture, RoughGlass};
+use halfdisk::materials::{Bsdf, Glossy, Lambert, Mixture, RoughGlass};
 use halfdisk::sampling::stream::{Purpose, Stream};
 use halfdisk::stats::chi_square::chi_square;
 use halfdisk::stats::z_test::sidak;
@@ -133,16 +133,16 @@ fn fault(sample: impl Fn(u32) -> Option<Vec3>, pdf: impl Fn(Vec3) -> f64 + Sync)
     None
 }
 
-fn glossy(alpha: f32) -> Material {
+fn glossy(alpha: f32) -> Bsdf {
     let reflectance = Rgb::WHITE;
-    Material::Glossy(Glossy { reflectance, alpha })
+    Bsdf::Glossy(Glossy { reflectance, alpha })
 }
 
-fn rough_glass(ior: f32, alpha: f32) -> Material {
-    Material::RoughGlass(RoughGlass { ior, alpha })
+fn rough_glass(ior: f32, alpha: f32) -> Bsdf {
+    Bsdf::RoughGlass(RoughGlass { ior, alpha })
 }
 
-fn drawn(material: &Material, wo: Vec3, index: u32) -> Option<Vec3> {
+fn drawn(material: &Bsdf, wo: Vec3, index: u32) -> Option<Vec3> {
     let (choice, u) = numbers(index);
     let next = material.scatter(wo, choice, u)?;
     next.pdf.map(|_| next.wi)
@@ -151,7 +151,7 @@ fn drawn(material: &Material, wo: Vec3, index: u32) -> Option<Vec3> {
 #[test]
 fn samples_follow_their_densities() {
     let mut pairs = 0;
-    let mut check = |name: &str, material: Material, cos: f32| {
+    let mut check = |name: &str, material: Bsdf, cos: f32| {
         let wo = direction(cos);
         pairs += 1;
         let pdf = |wi| f64::from(material.pdf(wo, wi));
@@ -174,15 +174,11 @@ fn samples_follow_their_densities() {
         check("thin", rough_glass(0.6, 0.3), cos);
     }
     let albedo = Rgb::grey(0.5);
-    check("lambert", Material::Lambert(Lambert { albedo }), 0.4);
+    check("lambert", Bsdf::Lambert(Lambert { albedo }), 0.4);
     for (kd, cos) in [(0.5, 0.4), (0.9, -0.4)] {
         let [kd, ks, kt] = [kd, 0.06, 0.02].map(Rgb::grey);
         let ior = 1.5;
-        check(
-            "mixture",
-            Material::Mixture(Mixture { kd, ks, kt, ior }),
-            cos,
-        );
+        check("mixture", Bsdf::Mixture(Mixture { kd, ks, kt, ior }), cos);
     }
     assert!(2 * pairs <= TESTS, "{pairs} pairs");
 }
@@ -207,7 +203,7 @@ fn wrong_densities_are_rejected() {
         reject("D without π", &|wi| right(wi) * TAU / 2.0);
         reject("all normals", &|wi| {
             // As if facets were drawn by D cos instead of the visible ones.
-            let Material::Glossy(g) = material else {
+            let Bsdf::Glossy(g) = material else {
                 return 0.0;
             };
             let ggx = halfdisk::materials::ggx::Ggx {
@@ -234,10 +230,10 @@ fn wrong_densities_are_rejected() {
 fn what_scatter_says_is_what_f_and_pdf_say() {
     let mut materials = vec![
         rough_glass(0.6, 0.2),
-        Material::Lambert(Lambert {
+        Bsdf::Lambert(Lambert {
             albedo: Rgb::grey(0.7),
         }),
-        Material::Mixture(Mixture {
+        Bsdf::Mixture(Mixture {
             kd: Rgb::new(0.5, 0.1, 0.0),
             ks: Rgb::grey(0.2),
             kt: Rgb::new(0.0, 0.3, 0.3),

@@ -10,6 +10,7 @@ use halfdisk::output;
 use halfdisk::render::{Options, Picture, compare, render};
 use halfdisk::sampling::stream::Sampler;
 use halfdisk::scene::description::{Description, Material};
+use halfdisk::scene::textures::Textured;
 use halfdisk::scene::value::{Albedo, Emission};
 use halfdisk::scene::{Scene, gallery};
 use std::path::Path as FilePath;
@@ -92,14 +93,14 @@ fn a_scene_that_is_slightly_off_does_not_agree() {
     let darker = scene("cornell", |said| {
         let white = said.materials.get_mut("white").unwrap();
         *white = Material::Lambert {
-            albedo: Albedo([0.72; 3]),
+            albedo: Albedo([0.72; 3]).into(),
         };
     });
     let dimmer = scene("cornell", |said| {
         for object in &mut said.objects {
-            object.emits = object
-                .emits
-                .map(|light| Emission(light.0.map(|x| 0.99 * x)));
+            if let Some(Textured::Constant(light)) = &mut object.emits {
+                *light = Emission(light.0.map(|x| 0.99 * x));
+            }
         }
     });
     for scene in [darker, dimmer] {

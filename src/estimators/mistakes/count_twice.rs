@@ -21,12 +21,7 @@ pub struct CountTwice {
 
 impl CountTwice {
     /// One estimate of twice the radiance along a ray from the eye.
-    pub fn walk<S: Space>(
-        &self,
-        world: &mut impl World<S>,
-        ray: &Ray<S>,
-        stream: &Stream,
-    ) -> Rgb {
+    pub fn walk<S: Space>(&self, world: &mut impl World<S>, ray: &Ray<S>, stream: &Stream) -> Rgb {
         let mut li = Rgb::BLACK;
         let mut beta = Rgb::WHITE;
         let mut ray = *ray;

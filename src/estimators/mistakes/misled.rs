@@ -104,7 +104,13 @@ impl<S: Space, W: World<S>> World<S> for Misled<W> {
         }
     }
 
-    fn sample_light(&mut self, at: &W::Point, lamp: usize, vertex: u64, stream: &Stream) -> Option<DirectLight> {
+    fn sample_light(
+        &mut self,
+        at: &W::Point,
+        lamp: usize,
+        vertex: u64,
+        stream: &Stream,
+    ) -> Option<DirectLight> {
         let lamp = match self.slip {
             Slip::Selection => {
                 let u = stream.at(vertex, Purpose::Integrand).one();

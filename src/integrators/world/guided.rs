@@ -35,8 +35,8 @@ impl<'t, 'a, const KINDS: u8> Guided<'t, 'a, KINDS> {
     }
 
     /// The BSDF at a point.
-    fn bsdf(at: &Interaction<'a>) -> Option<Among<KINDS>> {
-        at.bsdf.map(Among)
+    fn bsdf<'p>(at: &'p Interaction<'a>) -> Option<Among<'p, KINDS>> {
+        at.bsdf.as_ref().map(Among)
     }
 
     /// Density of [`World::sample_bsdf`] at a direction that is not perfectly specular, given that of the
@@ -166,7 +166,7 @@ impl<'a, const KINDS: u8> World<Solid> for Guided<'_, 'a, KINDS> {
             .light_sample(chosen.index, &from, chosen.rest, u)?;
         let wi = at.frame.to_local(sample.wi);
         let (f, cos) = (bsdf.f(at.wo, wi), wi.z.abs());
-        if (f * cos).is_black() || !self.tracer.visible(chosen.index, &sample) {
+        if f.is_black() || cos == 0.0 || !self.tracer.visible(chosen.index, &sample) {
             return None;
         }
         let (li, irradiance, pdf) = match sample.incident {

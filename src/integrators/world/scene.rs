@@ -44,7 +44,7 @@ impl<'a> World<Solid> for Tracer<'a> {
     }
 
     fn smooth_event(&self, at: &Interaction<'a>) -> Option<Event> {
-        at.bsdf?.smooth_event()
+        at.bsdf.as_ref()?.smooth_event()
     }
 
     fn sample_bsdf(
@@ -55,7 +55,7 @@ impl<'a> World<Solid> for Tracer<'a> {
     ) -> Option<Step<Solid>> {
         let choice = stream.at(vertex, Purpose::Branch).one();
         let mut numbers = stream.at(vertex, Purpose::Direction);
-        let drawn = at.bsdf?.scatter(at.wo, choice, numbers.two())?;
+        let drawn = at.bsdf.as_ref()?.scatter(at.wo, choice, numbers.two())?;
         let direction = at.frame.to_world(drawn.wi).normalize();
         Some(Step {
             ray: at.surface.spawn(direction),
@@ -78,7 +78,7 @@ impl<'a> World<Solid> for Tracer<'a> {
         vertex: u64,
         stream: &Stream,
     ) -> Option<DirectLight> {
-        let bsdf = at.bsdf?;
+        let bsdf = at.bsdf.as_ref()?;
         let mut numbers = stream.at_item(vertex, Purpose::LightPoint, light as u32);
         let (u, pick) = (numbers.two(), numbers.fine());
         let sample = self.light_sample(light, &at.surface, pick, u)?;

@@ -15,10 +15,7 @@ const ROUNDING: f64 = 1e-6;
 
 impl Parts<'_> {
     /// Checks all materials of a file.
-    pub(super) fn add_materials(
-        &mut self,
-        said: &BTreeMap<String, said::Material>,
-    ) -> Checked<()> {
+    pub(super) fn add_materials(&mut self, said: &BTreeMap<String, said::Material>) -> Checked<()> {
         for (name, said) in said {
             let material = self.material(said).within(&**name)?;
             self.materials.insert(name.clone(), material);
@@ -32,17 +29,26 @@ impl Parts<'_> {
         let [first, second, third] = &mut textures;
         let bsdf = match said {
             Said::Lambert { albedo } => Bsdf::Lambert(Lambert {
-                albedo: self.color(albedo, first).within("albedo").within("lambert")?,
+                albedo: self
+                    .color(albedo, first)
+                    .within("albedo")
+                    .within("lambert")?,
             }),
             Said::Mirror { reflectance } => Bsdf::Mirror(Mirror {
-                reflectance: self.color(reflectance, first).within("reflectance").within("mirror")?,
+                reflectance: self
+                    .color(reflectance, first)
+                    .within("reflectance")
+                    .within("mirror")?,
             }),
             Said::Glass { ior } => Bsdf::Glass(Glass { ior: ior.get()? }),
             Said::Glossy {
                 reflectance,
                 roughness,
             } => {
-                let reflectance = self.color(reflectance, first).within("reflectance").within("glossy")?;
+                let reflectance = self
+                    .color(reflectance, first)
+                    .within("reflectance")
+                    .within("glossy")?;
                 Bsdf::glossy(reflectance, roughness.get()?)
             }
             Said::RoughGlass { ior, roughness } => Bsdf::rough_glass(ior.get()?, roughness.get()?),

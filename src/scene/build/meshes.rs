@@ -1,8 +1,8 @@
 //! Triangles, alone and in meshes.
 
 use crate::geometry::{Mesh, Shape, Triangle};
-use crate::scene::field::{Checked, Problem, check};
 use crate::scene::Mapping;
+use crate::scene::field::{Checked, Problem, check};
 use crate::scene::mesh_file;
 use crate::scene::parts::{Parts, alone};
 use crate::scene::placement::Placement;

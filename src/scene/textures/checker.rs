@@ -54,7 +54,11 @@ mod tests {
             (7.1, 0.3, true),
         ] {
             let color = checker.color(Vec2::new(u, v));
-            assert_eq!(color, if white { Rgb::WHITE } else { Rgb::BLACK }, "{u} {v}");
+            assert_eq!(
+                color,
+                if white { Rgb::WHITE } else { Rgb::BLACK },
+                "{u} {v}"
+            );
         }
     }
 }

@@ -115,7 +115,16 @@ mod tests {
     fn coordinates_of_any_size_give_a_color_between_those_of_the_image() {
         let colors = [0.25, 0.5].map(Rgb::grey);
         let image = ImageTexture::new(2, colors.to_vec(), DVec2::splat(0.3)).expect("two pixels");
-        for x in [0.0, -0.0, 1e-30, -1e-30, 1e30, -3e38, 0.999_999_94, 123_456.7] {
+        for x in [
+            0.0,
+            -0.0,
+            1e-30,
+            -1e-30,
+            1e30,
+            -3e38,
+            0.999_999_94,
+            123_456.7,
+        ] {
             let color = image.color(Vec2::new(x, -x)).r;
             assert!((0.25..=0.5).contains(&color), "{x}: {color}");
         }

@@ -30,6 +30,12 @@ pub enum Textured<C> {
     Image(Image),
 }
 
+impl<C> From<C> for Textured<C> {
+    fn from(color: C) -> Self {
+        Textured::Constant(color)
+    }
+}
+
 /// A kind of colour with a rule.
 pub trait Rule: Copy {
     /// The colour, if the rule allows it.
@@ -115,9 +121,16 @@ fn image<C: Rule>(said: &Image, parts: &mut Parts) -> Checked<ImageTexture> {
         let rgb = pixel.channels().map(|x| f64::from(x) * scale);
         C::pixel(rgb).map_err(|problem| {
             let (column, row) = (at % width, at / width);
-            complain(format!("has a pixel in column {column} of row {row} that {}", problem.what))
+            complain(format!(
+                "has a pixel in column {column} of row {row} that {}",
+                problem.what
+            ))
         })
     };
-    let pixels = pixels.iter().enumerate().map(colored).collect::<Checked<Vec<Rgb>>>()?;
+    let pixels = pixels
+        .iter()
+        .enumerate()
+        .map(colored)
+        .collect::<Checked<Vec<Rgb>>>()?;
     ImageTexture::new(width, pixels, repeat).ok_or_else(|| complain("has no pixels".to_owned()))
 }
