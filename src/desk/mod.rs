@@ -18,7 +18,7 @@ pub use whole::whole;
 
 use crate::chart::ChartError;
 use crate::ledger::Ledger;
-use crate::output::{Display, OutputError, Provenance, can_save, png_bytes, save};
+use crate::output::{Display, OutputError, Provenance, can_save, png_bytes, save, write};
 use crate::render::Film;
 use crate::scene::{Scene, SceneError};
 use crate::stats::Estimate;
@@ -48,6 +48,9 @@ pub struct Options {
     /// Threads to render on; changes no result [default: one for each core]
     #[arg(long, allow_negative_numbers = true, value_parser = whole(1_u16..=1024))]
     pub threads: Option<u16>,
+    /// Write pictures as OpenEXR, too: their numbers with standard errors
+    #[arg(long)]
+    pub exr: bool,
     /// Print the chapter's data as JSON instead of text
     #[arg(long)]
     pub json: bool,
@@ -250,7 +253,7 @@ impl Desk {
         Ok(())
     }
 
-    /// Writes a picture of `scene` as PNG and records it.
+    /// Writes a picture of `scene` as PNG and records it; with `--exr`, an EXR file stands beside it.
     pub fn picture(
         &mut self,
         file: &str,
@@ -261,6 +264,10 @@ impl Desk {
         let spp = film.pixels().first().map_or(0, |p| p.count());
         let depth = scene.suggested.max_depth;
         let facts = Provenance::new(scene, &self.record.chapter, depth, spp, self.options.seed);
+        if self.options.exr {
+            let path = self.folder.join(file).with_extension("exr");
+            write(&path, film, Display::Radiance, &facts)?;
+        }
         let png = png_bytes(film, Display::Radiance, &facts)?;
         self.figure(file, caption, png)
     }
