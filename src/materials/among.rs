@@ -81,6 +81,18 @@ mod tests {
     use super::*;
     use crate::materials::{Glass, Glossy, Lambert};
 
+    fn diffuse(bsdf: &Bsdf) -> Among<'_, { kinds::DIFFUSE }> {
+        Among(bsdf)
+    }
+
+    fn gloss(bsdf: &Bsdf) -> Among<'_, { kinds::GLOSS }> {
+        Among(bsdf)
+    }
+
+    fn specular(bsdf: &Bsdf) -> Among<'_, { kinds::SPECULAR }> {
+        Among(bsdf)
+    }
+
     #[test]
     fn what_is_in_the_set_is_itself_and_what_is_not_is_black() {
         let (wo, wi) = (Vec3::new(0.6, 0.0, 0.8), Vec3::new(0.0, 0.6, 0.8));
@@ -92,7 +104,6 @@ mod tests {
             alpha: 0.5,
         });
         let glass = Bsdf::Glass(Glass { ior: 1.5 });
-        let diffuse = Among::<{ kinds::DIFFUSE }>;
         assert_eq!(diffuse(&lambert).f(wo, wi), lambert.f(wo, wi));
         assert_eq!(diffuse(&lambert).pdf(wo, wi), lambert.pdf(wo, wi));
         for absent in [glossy, glass] {
@@ -100,11 +111,9 @@ mod tests {
             assert!(diffuse(&absent).scatter(wo, 0.5, [0.5; 2]).is_none());
             assert_eq!(diffuse(&absent).smooth_event(), None);
         }
-        let gloss = Among::<{ kinds::GLOSS }>;
         assert!(!glossy.f(wo, wi).is_black());
         assert_eq!(gloss(&glossy).f(wo, wi), glossy.f(wo, wi));
         assert!(gloss(&glass).scatter(wo, 0.5, [0.5; 2]).is_none());
-        let specular = Among::<{ kinds::SPECULAR }>;
         assert!(specular(&glass).scatter(wo, 0.5, [0.5; 2]).is_some());
     }
 }

@@ -76,9 +76,9 @@ pub(super) fn assemble(from: &Arc<MadeFrom>) -> Checked<Scene> {
     }));
     let count = parts.all.len();
     let coarse = spacing::coarse(parts.all.iter().map(|(shape, _)| shape));
-    let (shapes, object_of_shape, in_motion) =
+    let (shapes, object_of_shape, transformed) =
         motion::part(parts.all, &parts.objects, &parts.spans, parts.lights.len());
-    let placed = motion::placed(&shapes, &object_of_shape, in_motion.as_ref());
+    let placed = motion::placed(&shapes, &object_of_shape, transformed.as_ref());
     for (number, shape) in placed.iter().enumerate().rev() {
         parts.objects[shape.object as usize]
             .mapping
@@ -86,7 +86,7 @@ pub(super) fn assemble(from: &Arc<MadeFrom>) -> Checked<Scene> {
     }
     let contacts = Contacts::new(&placed, &parts.objects, parts.lights.len());
     let span = |light: usize| {
-        let moves = in_motion.as_ref();
+        let moves = transformed.as_ref();
         moves.map_or(Vec3::ZERO, |m| m.span_of_light[light])
     };
     let light_choice = LightChoice::new(&parts.lights, span);
@@ -137,7 +137,7 @@ pub(super) fn assemble(from: &Arc<MadeFrom>) -> Checked<Scene> {
         objects: parts.objects,
         object_of_shape,
         bvh: Bvh::new(&shapes),
-        in_motion,
+        transformed,
         contacts,
     })
 }

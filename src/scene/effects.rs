@@ -1,7 +1,7 @@
 //! What a scene calls for, told from what is in it.
 
 use super::Scene;
-use super::motion::InMotion;
+use super::motion::TransformedShapes;
 use crate::camera::Lens;
 use crate::geometry::Shape;
 use crate::materials::{Bsdf, kinds};
@@ -207,8 +207,8 @@ impl Scene {
         self.camera = self.camera.with_lens(Some(lens));
         self.kinds = kinds::ALL;
         let lights = self.lights.len();
-        self.in_motion
-            .get_or_insert_with(|| InMotion::of_nothing(lights));
+        self.transformed
+            .get_or_insert_with(|| TransformedShapes::of_nothing(lights));
         self.dark = false;
         self
     }

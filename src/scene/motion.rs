@@ -1,10 +1,10 @@
-//! What moves while the shutter is open.
+//! Shapes that are not simply where they are: what moves while the shutter is open, and instances.
 
 use super::Object;
 use super::contacts::Placed;
 use super::field::{Checked, check};
 use super::value::Triple;
-use crate::geometry::{Bvh, Moving, Shape};
+use crate::geometry::{Bvh, Instance, Moving, Shape, Transformed};
 use glam::{DVec3, Vec3};
 
 /// How an object moves while the shutter is open.
@@ -34,41 +34,48 @@ impl Way {
 
 const TOO_FAR: &str = "must keep the object within 3.4e38 of the camera while the shutter is open";
 
-/// Shapes in motion, and lights that move with them. Time runs from 0, where the shutter opens, to
-/// 1, where it closes.
+/// Shapes in motion, with the lights that move with them, and instances of meshes. Time runs from 0, where
+/// the shutter opens, to 1, where it closes.
 #[derive(Clone, Debug)]
-pub(super) struct InMotion {
-    pub bvh: Bvh<Moving>,
-    /// For each shape of the hierarchy the object it belongs to.
+pub(super) struct TransformedShapes {
+    pub bvh: Bvh<Transformed>,
+    /// For each shape of the hierarchy the object it belongs to; those in motion come first.
     pub object_of_shape: Vec<u32>,
-    /// The same shapes, where they are when the shutter opens.
-    pub shapes: Vec<Placed>,
+    /// Those in motion, where they are when the shutter opens.
+    pub moving: Vec<Placed>,
     /// For each light its way while the shutter is open.
     pub span_of_light: Vec<Vec3>,
 }
 
-impl InMotion {
+impl TransformedShapes {
+    /// True where anything moves.
+    pub(super) fn moves(&self) -> bool {
+        !self.moving.is_empty()
+    }
+
     /// Motion of nothing, beside some lights that stand still.
-    pub(super) fn of_nothing(lights: usize) -> InMotion {
-        InMotion {
+    pub(super) fn of_nothing(lights: usize) -> TransformedShapes {
+        TransformedShapes {
             bvh: Bvh::new(&[]),
             object_of_shape: Vec::new(),
-            shapes: Vec::new(),
+            moving: Vec::new(),
             span_of_light: vec![Vec3::ZERO; lights],
         }
     }
 }
 
-/// Parts what moves from what stands still: the shapes that do, and of each its object.
+/// Parts what is transformed from what simply stands: the shapes that do, and of each its object.
 ///
 /// * `all`: shapes, where they are when the shutter opens, and the objects they belong to.
 /// * `spans`: the way of each object while the shutter is open.
+/// * `instances`: meshes in their places, and the objects that they are.
 pub(super) fn part(
     all: Vec<(Shape, u32)>,
     objects: &[Object],
     spans: &[Vec3],
     lights: usize,
-) -> (Vec<Shape>, Vec<u32>, Option<InMotion>) {
+    instances: Vec<(Instance, u32)>,
+) -> (Vec<Shape>, Vec<u32>, Option<TransformedShapes>) {
     let stands = |(_, object): &(Shape, u32)| spans[*object as usize] == Vec3::ZERO;
     let (still, moving): (Vec<_>, Vec<_>) = all.into_iter().partition(stands);
     let (shapes, object_of_shape) = still.into_iter().unzip();
@@ -79,29 +86,34 @@ pub(super) fn part(
             span,
             object,
         };
-        Moving::new(shape, span).map(|shape| (shape, placed))
+        Moving::new(shape, span).map(|shape| (Transformed::Moving(shape), placed))
     });
-    let (moving, placed): (Vec<_>, Vec<_>) = moving.unzip();
+    let (mut primitives, moving): (Vec<_>, Vec<Placed>) = moving.unzip();
+    let mut owners: Vec<u32> = moving.iter().map(|shape| shape.object).collect();
+    for (instance, object) in instances {
+        primitives.push(Transformed::Instance(instance));
+        owners.push(object);
+    }
     let mut span_of_light = vec![Vec3::ZERO; lights];
     for (object, span) in objects.iter().zip(spans) {
         if let Some(light) = object.light {
             span_of_light[light as usize] = *span;
         }
     }
-    let in_motion = (!moving.is_empty()).then(|| InMotion {
-        bvh: Bvh::new(&moving),
-        object_of_shape: placed.iter().map(|shape| shape.object).collect(),
-        shapes: placed,
+    let transformed = (!primitives.is_empty()).then(|| TransformedShapes {
+        bvh: Bvh::new(&primitives),
+        object_of_shape: owners,
+        moving,
         span_of_light,
     });
-    (shapes, object_of_shape, in_motion)
+    (shapes, object_of_shape, transformed)
 }
 
 /// All shapes by their numbers, those that stand still first.
 pub(super) fn placed(
     shapes: &[Shape],
     object_of_shape: &[u32],
-    in_motion: Option<&InMotion>,
+    transformed: Option<&TransformedShapes>,
 ) -> Vec<Placed> {
     let still = shapes.iter().zip(object_of_shape);
     let still = still.map(|(&shape, &object)| Placed {
@@ -109,6 +121,6 @@ pub(super) fn placed(
         span: Vec3::ZERO,
         object,
     });
-    let moving = in_motion.map_or(&[][..], |moves| &moves.shapes);
+    let moving = transformed.map_or(&[][..], |shapes| &shapes.moving);
     still.chain(moving.iter().copied()).collect()
 }

@@ -184,7 +184,7 @@ fn a06_triangles_of_any_proper_size_have_a_normal_and_are_hit() {
                 unreachable!()
             };
             let [u, v] = draw.inside();
-            let at = triangle.surface(Crossing { t: 0.0, u, v });
+            let at = triangle.surface(Crossing::new(0.0, u, v));
             worst = worst.max((at.n.as_dvec3().length() - 1.0).abs());
             let side = if draw.one() < 0.5 { 1.0 } else { -1.0 };
             let origin = at.p + at.n * (size * side);

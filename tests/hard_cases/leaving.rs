@@ -82,7 +82,7 @@ fn a04_self_intersection_of_triangles_of_all_proportions() {
         triangles += 1;
         for _ in 0..1000 {
             let [u, v] = draw.inside();
-            let surface = triangle.surface(Crossing { t: 1.0, u, v });
+            let surface = triangle.surface(Crossing::new(1.0, u, v));
             worst = worst.max(off_plane(&triangle, &surface));
             ours += count(&Shape::Triangle(triangle), &surface, &mut draw, 1);
         }
@@ -263,7 +263,7 @@ fn a04_self_intersection_of_shadow_rays_with_their_lamp() {
                     Shape::Quad(q) => q.surface_at(draw.one(), draw.one()),
                     Shape::Triangle(t) => {
                         let [u, v] = draw.inside();
-                        t.surface(Crossing { t: 0.0, u, v })
+                        t.surface(Crossing::new(0.0, u, v))
                     }
                 };
                 let out = draw.leaving(target.n);
