@@ -1,19 +1,27 @@
 //! Polygons, split into triangles.
 
-use super::Mesh;
+use super::{DEFAULT_UVS, Mesh};
 use earcut::Earcut;
-use glam::{DVec2, DVec3, Vec2Swizzles};
+use glam::{DVec2, DVec3, Vec2, Vec2Swizzles};
+use std::ops::Range;
 
 /// Polygons whose corners are indices into `vertices`, as files give them.
 #[derive(Clone, Debug, Default)]
 pub struct Polygons {
     /// Corner positions.
     pub vertices: Vec<DVec3>,
+    /// Texture coordinates, which corners share as they share vertices.
+    pub uvs: Vec<Vec2>,
     /// The corners of all polygons, one polygon after the other.
     corners: Vec<u32>,
+    /// The index in `uvs` of each corner, or [`NO_UV`]; it ends with the last corner that has one.
+    uv_corners: Vec<u32>,
     /// Where in `corners` each polygon ends.
     ends: Vec<usize>,
 }
+
+/// In place of the index of a corner's texture coordinates.
+const NO_UV: u32 = u32::MAX;
 
 /// The triangles of some polygons, and what was found on the way.
 #[derive(Clone, Debug, Default)]
@@ -24,12 +32,21 @@ pub struct Triangulation {
     pub without_area: usize,
     /// Polygons whose edges cross each other, so that no set of triangles is theirs.
     pub crossing: usize,
+    /// Polygons without texture coordinates at some corner, where others have them at all.
+    pub without_uvs: usize,
 }
 
 impl Polygons {
-    /// Adds a polygon.
-    pub fn push(&mut self, corners: impl IntoIterator<Item = u32>) {
-        self.corners.extend(corners);
+    /// Adds a polygon: the vertex of each corner and, if the corner has any, its texture coordinates,
+    /// both by index.
+    pub fn push(&mut self, corners: impl IntoIterator<Item = (u32, Option<u32>)>) {
+        for (vertex, uv) in corners {
+            if let Some(uv) = uv {
+                self.uv_corners.resize(self.corners.len(), NO_UV);
+                self.uv_corners.push(uv);
+            }
+            self.corners.push(vertex);
+        }
         self.ends.push(self.corners.len());
     }
 
@@ -45,8 +62,13 @@ impl Polygons {
 
     /// The corners of each polygon.
     pub fn iter(&self) -> impl Iterator<Item = &[u32]> {
+        self.ranges().map(|range| &self.corners[range])
+    }
+
+    /// Where in `corners` each polygon is.
+    fn ranges(&self) -> impl Iterator<Item = Range<usize>> {
         let starts = std::iter::once(0).chain(self.ends.iter().copied());
-        starts.zip(&self.ends).map(|(a, b)| &self.corners[a..*b])
+        starts.zip(&self.ends).map(|(a, b)| a..*b)
     }
 
     /// The first polygon that names a vertex which does not exist, with that index.
@@ -64,12 +86,31 @@ impl Polygons {
     ///   ears (Eberly, *Triangulation by Ear Clipping*, 2002), projected along the axis to which its
     ///   normal (Newell's) is closest. That only drops a coordinate, so nothing is rounded.
     ///
-    /// Corners that do not exist must have been refused before ([`Polygons::bad_index`]).
+    /// Each corner keeps its texture coordinates. Where only some polygons have them, the triangles of
+    /// the others get [`DEFAULT_UVS`].
+    ///
+    /// Vertices that do not exist must have been refused before ([`Polygons::bad_index`]), and so must
+    /// texture coordinates.
     pub fn triangulate(self) -> Triangulation {
         let mut found = Triangulation::default();
         let mut cutter = Cutter::default();
-        for polygon in self.iter() {
-            cutter.split(polygon, &self.vertices, &mut found);
+        for range in self.ranges() {
+            let corners = &self.corners[range.clone()];
+            cutter.split(corners, &self.vertices, &mut found);
+            let triangles = cutter.triangles.iter();
+            let vertices = triangles.clone().map(|t| t.map(|i| corners[i]));
+            found.mesh.triangles.extend(vertices);
+            if self.uv_corners.is_empty() {
+                continue;
+            }
+            let indices = self.uv_corners.get(range);
+            if let Some(indices) = indices.filter(|indices| !indices.contains(&NO_UV)) {
+                let uv = |i: usize| self.uvs[indices[i] as usize];
+                found.mesh.uvs.extend(triangles.map(|t| t.map(uv)));
+            } else {
+                found.without_uvs += 1;
+                found.mesh.uvs.extend(triangles.map(|_| DEFAULT_UVS));
+            }
         }
         found.mesh.vertices = self.vertices;
         found
@@ -82,6 +123,8 @@ struct Cutter {
     /// The corners, counted from the first.
     points: Vec<DVec3>,
     ears: Vec<u32>,
+    /// The triangles of the last polygon, by its corners.
+    triangles: Vec<[usize; 3]>,
 }
 
 impl Default for Cutter {
@@ -90,15 +133,17 @@ impl Default for Cutter {
             earcut: Earcut::new(),
             points: Vec::new(),
             ears: Vec::new(),
+            triangles: Vec::new(),
         }
     }
 }
 
 impl Cutter {
     fn split(&mut self, polygon: &[u32], vertices: &[DVec3], found: &mut Triangulation) {
-        let triangles = &mut found.mesh.triangles;
+        let triangles = &mut self.triangles;
+        triangles.clear();
         let (&[first, ..], 4..) = (polygon, polygon.len()) else {
-            triangles.extend(<[u32; 3]>::try_from(polygon));
+            triangles.extend((polygon.len() == 3).then_some([0, 1, 2]));
             return;
         };
         let origin = vertices[first as usize];
@@ -111,28 +156,28 @@ impl Cutter {
             // All corners on one line, or as much of it turned one way as the other.
             let flat = self.points[1..].windows(2).all(|w| fan(w) == DVec3::ZERO);
             found.crossing += usize::from(!flat);
-            triangles.extend(polygon[1..].windows(2).map(|w| [first, w[0], w[1]]));
+            triangles.extend((2..polygon.len()).map(|i| [0, i - 1, i]));
             return;
         }
-        if let &[a, b, c, d] = polygon {
+        if polygon.len() == 4 {
             // The two corners beside a diagonal lie on opposite sides of it.
             let inside = |w: [usize; 3]| {
                 let [p, q, r] = w.map(|i| self.points[i]);
                 (q - p).cross(r - p).dot(normal) > 0.0
             };
             if inside([0, 1, 2]) && inside([0, 2, 3]) {
-                triangles.extend([[a, b, c], [a, c, d]]);
+                triangles.extend([[0, 1, 2], [0, 2, 3]]);
                 return;
             }
             if inside([1, 2, 3]) && inside([1, 3, 0]) {
-                triangles.extend([[b, c, d], [b, d, a]]);
+                triangles.extend([[1, 2, 3], [1, 3, 0]]);
                 return;
             }
         }
-        self.cut_ears(polygon, normal, found);
+        self.cut_ears(normal, found);
     }
 
-    fn cut_ears(&mut self, polygon: &[u32], normal: DVec3, found: &mut Triangulation) {
+    fn cut_ears(&mut self, normal: DVec3, found: &mut Triangulation) {
         // Seen from the tip of the normal the polygon runs counter-clockwise.
         let flat = |p: DVec3| -> DVec2 {
             let n = normal.abs();
@@ -150,18 +195,18 @@ impl Cutter {
         self.earcut.earcut(data, &[], &mut self.ears);
         let mut area = 0.0;
         for &[a, b, c] in self.ears.as_chunks::<3>().0 {
-            let [p, q, r] = [a, b, c].map(|i| flat[i as usize]);
+            let [a, b, c] = [a, b, c].map(|i| i as usize);
+            let [p, q, r] = [flat[a], flat[b], flat[c]];
             let twice = (q - p).perp_dot(r - p);
             area += twice.abs();
-            let [a, b, c] = [a, b, c].map(|i| polygon[i as usize]);
             let wound = if twice < 0.0 { [a, c, b] } else { [a, b, c] };
-            found.mesh.triangles.push(wound);
+            self.triangles.push(wound);
         }
         let whole = normal.abs().max_element();
         if (area - whole).abs() > CLOSE * whole {
             found.crossing += 1;
         }
-        found.without_area += polygon.len() - 2 - self.ears.len() / 3;
+        found.without_area += self.points.len() - 2 - self.triangles.len();
     }
 }
 
@@ -173,12 +218,20 @@ mod tests {
     use super::*;
     use std::f64::consts::TAU;
 
+    /// Texture coordinates that tell the points of an outline apart.
+    fn uv_at(p: DVec3) -> Vec2 {
+        DVec2::new(p.x + 0.5 * p.z, p.y - 0.25 * p.z).as_vec2()
+    }
+
     fn split(points: &[DVec3]) -> Triangulation {
+        let last = points.len() as u32 - 1;
         let mut polygons = Polygons {
             vertices: points.to_vec(),
+            // Not in the order of the vertices, and never that of a corner beside.
+            uvs: points.iter().rev().map(|p| uv_at(*p)).collect(),
             ..Polygons::default()
         };
-        polygons.push(0..points.len() as u32);
+        polygons.push((0..points.len() as u32).map(|i| (i, Some(last - i))));
         polygons.triangulate()
     }
 
@@ -219,6 +272,40 @@ mod tests {
             "{points:?}"
         );
         assert_eq!(found.crossing, 0, "{points:?}");
+        let own = |t: &[u32; 3]| t.map(|i| uv_at(mesh.vertices[i as usize]));
+        assert!(mesh.triangles.iter().map(own).eq(mesh.uvs.iter().copied()));
+    }
+
+    #[test]
+    fn polygons_without_texture_coordinates_get_the_default_beside_others_and_none_alone() {
+        let square = [DVec3::ZERO, DVec3::X, DVec3::X + DVec3::Y, DVec3::Y];
+        let face = |has: fn(u32) -> bool| {
+            let corners = (0..4).map(|i| (i, has(i).then_some(i)));
+            corners.collect::<Vec<_>>()
+        };
+        let [all, none, some] = [face(|_| true), face(|_| false), face(|i| i != 2)];
+        let own = [[0, 1, 2], [0, 2, 3]].map(|t| t.map(|i: usize| square[i].truncate().as_vec2()));
+        let split = |faces: &[Vec<(u32, Option<u32>)>]| {
+            let mut polygons = Polygons {
+                vertices: square.to_vec(),
+                uvs: square.map(|p| p.truncate().as_vec2()).to_vec(),
+                ..Polygons::default()
+            };
+            faces.iter().for_each(|face| polygons.push(face.clone()));
+            let found = polygons.triangulate();
+            (found.mesh.uvs, found.without_uvs)
+        };
+        let default = [DEFAULT_UVS; 2];
+        assert_eq!(split(&[none.clone(), none.clone()]), (vec![], 0));
+        assert_eq!(split(&[all.clone()]), (own.to_vec(), 0));
+        for lacks in [none, some] {
+            let before = split(&[lacks.clone(), lacks.clone(), all.clone()]);
+            assert_eq!(before, ([default, default, own].concat(), 2));
+            let between = split(&[all.clone(), lacks.clone(), all.clone()]);
+            assert_eq!(between, ([own, default, own].concat(), 1));
+            let after = split(&[all.clone(), lacks.clone(), lacks]);
+            assert_eq!(after, ([own, default, default].concat(), 2));
+        }
     }
 
     /// Outlines in a plane, counter-clockwise.

@@ -24,6 +24,7 @@ impl Parts<'_> {
             Mesh {
                 vertices,
                 triangles,
+                ..Mesh::default()
             },
             place,
         );
@@ -50,16 +51,17 @@ impl Parts<'_> {
 
     pub(super) fn mesh(&mut self, mut mesh: Mesh, place: &Placement) -> Vec<Shape> {
         if place.mirrors() {
-            mesh.triangles.iter_mut().for_each(|t| t.swap(1, 2));
+            mesh.turn_over();
         }
         let from_camera = |p: DVec3| place.point(p) - self.origin;
-        let (triangles, count) = mesh.to_triangles(|p| from_camera(p).as_vec3());
+        let triangles = mesh.to_triangles(|p| from_camera(p).as_vec3());
         for corners in &mesh.triangles {
             let corners = corners.map(|i| from_camera(mesh.vertices[i as usize]));
             let [a, b, c] = corners.map(|p| p.as_vec3());
             self.misplaced.triangle(&corners, &Triangle { a, b, c });
         }
-        self.degenerate_triangles += count.degenerate;
-        triangles.into_iter().map(Shape::Triangle).collect()
+        self.degenerate_triangles += mesh.triangles.len() - triangles.len();
+        let shape = |(_, triangle)| Shape::Triangle(triangle);
+        triangles.into_iter().map(shape).collect()
     }
 }
