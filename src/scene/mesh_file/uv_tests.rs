@@ -54,8 +54,8 @@ fn corners_of_an_obj_file_have_texture_coordinates_of_their_own() {
 
 #[test]
 fn triangles_of_polygons_keep_the_texture_coordinates_of_their_corners() {
-    // An L with a corner on an edge, a corner said twice, and a line; each corner has a `vt` of its own,
-    // which says where it is.
+    // An L with two corners in one place and one on an edge, and a triangle without area before it; each
+    // corner has a `vt` of its own, which says where it is.
     let corners = [
         (0, 0),
         (3, 0),
@@ -79,9 +79,14 @@ fn triangles_of_polygons_keep_the_texture_coordinates_of_their_corners() {
         let corner = |i: &usize| format!(" {i}/{}", 10 - i);
         corners.iter().map(corner).collect::<String>()
     };
-    text += &format!("f{}\n", outline(&[1, 2, 3, 4, 5, 6, 7, 8]));
-    text += &format!("f{}\n", outline(&[1, 9, 2, 3]));
-    text += &format!("f{}\n", outline(&[2, 3, 4]));
+    for face in [
+        &[1, 9, 2][..],
+        &[1, 2, 3, 4, 5, 6, 7, 8],
+        &[1, 9, 2, 3],
+        &[2, 3, 4],
+    ] {
+        text += &format!("f{}\n", outline(face));
+    }
     let mesh = read(obj::read(text.as_bytes())).mesh;
     assert_eq!(mesh.uvs.len(), mesh.triangles.len());
     let kept = mesh.to_triangles(|p| p.as_vec3());
