@@ -80,7 +80,7 @@ fn polygons_without_texture_coordinates_get_the_default_beside_others_and_none_a
     };
     let default = [DEFAULT_UVS; 2];
     assert_eq!(split(&[none.clone(), none.clone()]), (vec![], 0));
-    assert_eq!(split(&[all.clone()]), (own.to_vec(), 0));
+    assert_eq!(split(std::slice::from_ref(&all)), (own.to_vec(), 0));
     for lacks in [none, some] {
         let before = split(&[lacks.clone(), lacks.clone(), all.clone()]);
         assert_eq!(before, ([default, default, own].concat(), 2));
