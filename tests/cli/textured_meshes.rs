@@ -69,8 +69,8 @@ fn faces_without_texture_coordinates_beside_others_are_noted() {
     };
     let some = [TETRAHEDRON.obj(corner), b"f 1/1 2/1 3/1\n".to_vec()].concat();
     let (_, said) = picture(folder.path(), "some.obj", &some);
-    let note = "note: some.obj: 4 faces without texture coordinates at every corner, whose triangles \
-                get (0, 0), (1, 0) and (1, 1)\n";
+    let note = "note: some.obj: 4 faces lack texture coordinates at some corner; their triangles get \
+                (0, 0), (1, 0) and (1, 1)\n";
     assert!(said.contains(note), "{said}");
 }
 

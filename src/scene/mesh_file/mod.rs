@@ -98,8 +98,8 @@ fn triangles(said: Said) -> Result<MeshFile, String> {
     });
     let untextured = (found.without_uvs > 0).then(|| {
         format!(
-            "{} faces without texture coordinates at every corner, whose triangles get (0, 0), (1, 0) \
-             and (1, 1)",
+            "{} faces lack texture coordinates at some corner; their triangles get (0, 0), (1, 0) and \
+             (1, 1)",
             found.without_uvs
         )
     });

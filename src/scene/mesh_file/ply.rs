@@ -143,8 +143,7 @@ fn check(header: &Header) -> Result<(), String> {
 }
 
 impl Uvs {
-    /// A vertex on a seam is there once for each face's texture coordinates, or faces have their own:
-    /// these count where a file has both.
+    /// Where a file has both, lists of faces' corners count, for vertices know no seams.
     fn of(header: &Header) -> Uvs {
         let kind = |element: &str, name: &str| kind(header.elements.get(element)?, name);
         let is_scalar = |name| matches!(kind("vertex", name), Some(PropertyType::Scalar(_)));
@@ -169,6 +168,7 @@ fn finite(uv: [f64; 2], kind: &str, at: usize) -> Result<Vec2, String> {
     uv.is_finite().then_some(uv).ok_or_else(what)
 }
 
+/// Adds a face; the texture coordinates of its corners are in its own list, or those of its vertices.
 fn face(at: usize, row: &Row, uvs: &Uvs, polygons: &mut Polygons) -> Result<(), String> {
     let count = row.corners.len();
     if count < 3 {

@@ -108,8 +108,8 @@ fn faces_without_texture_coordinates_get_the_default_and_are_noted() {
     assert_eq!(
         file.notes,
         [
-            "3 faces without texture coordinates at every corner, whose triangles get (0, 0), (1, 0) \
-             and (1, 1)",
+            "3 faces lack texture coordinates at some corner; their triangles get (0, 0), (1, 0) and \
+             (1, 1)",
             "ignored: f of fewer than 3 corners (1)"
         ]
     );
@@ -256,7 +256,7 @@ fn lists_of_a_faces_corners_come_before_what_vertices_say() {
         wedges("3 0 1 2 0 0\n3 0 2 3 6 0.5 0 1 1 0.5 1 0\n", 2).as_bytes(),
     ));
     assert_eq!(file.mesh.uvs, [DEFAULT_UVS, seam()[1]]);
-    assert!(file.notes[0].starts_with("1 faces without texture coordinates"));
+    assert!(file.notes[0].starts_with("1 faces lack texture coordinates"));
     for (numbers, words) in [
         (
             "5 0 0 1 0 1",
