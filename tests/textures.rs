@@ -62,8 +62,7 @@ fn nearest(colors: [Rgb; 4]) -> [Rgb; 4] {
     })
 }
 
-const IMAGE: &str =
-    "[materials.m]\nlambert = { albedo = { image = { file = 'four.png' } } }\n[[objects]]\nmaterial = 'm'\n";
+const IMAGE: &str = "[materials.m]\nlambert = { albedo = { image = { file = 'four.png' } } }\n[[objects]]\nmaterial = 'm'\n";
 
 #[test]
 fn an_image_is_upright_on_every_side_of_a_box_and_on_quads_and_meshes() {
@@ -75,7 +74,12 @@ fn an_image_is_upright_on_every_side_of_a_box_and_on_quads_and_meshes() {
         nearest(quarters(&scene))
     };
     let cube = "box = { min = [-1, -1, -1], max = [1, 1, 1] }";
-    for from in [[0.0, 0.0, 4.0], [0.0, 0.0, -4.0], [4.0, 0.0, 0.0], [-4.0, 0.0, 0.0]] {
+    for from in [
+        [0.0, 0.0, 4.0],
+        [0.0, 0.0, -4.0],
+        [4.0, 0.0, 0.0],
+        [-4.0, 0.0, 0.0],
+    ] {
         assert_eq!(see(from, cube), UPRIGHT, "the side seen from {from:?}");
     }
     let front = [0.0, 0.0, 4.0];
@@ -88,7 +92,8 @@ fn an_image_is_upright_on_every_side_of_a_box_and_on_quads_and_meshes() {
     for shape in [quad, "mesh = { file = 'square.obj' }", cube] {
         let mirror = format!("transform = {{ scale = [-1, 1, 1] }}\n{shape}");
         assert_eq!(see(front, &mirror), mirrored, "{shape}");
-        let turn = format!("transform = {{ rotate = {{ axis = [0, 0, 1], degrees = 90 }} }}\n{shape}");
+        let turn =
+            format!("transform = {{ rotate = {{ axis = [0, 0, 1], degrees = 90 }} }}\n{shape}");
         assert_eq!(see(front, &turn), turned, "{shape}");
     }
 }
@@ -109,7 +114,11 @@ fn a_sphere_wears_an_image_as_a_globe_does() {
     let [a, b, c, d] = UPRIGHT;
     assert_eq!(see([0.0, 0.0, 4.0], turn), [d, c, b, a]);
     let mirror = "transform = { scale = -1 }";
-    assert_eq!(see([0.0, 0.0, 4.0], mirror), [d, c, b, a], "a point reflection");
+    assert_eq!(
+        see([0.0, 0.0, 4.0], mirror),
+        [d, c, b, a],
+        "a point reflection"
+    );
 }
 
 #[test]
@@ -122,11 +131,15 @@ fn a_texture_of_one_color_is_that_color_bit_for_bit() {
              [[objects]]\nemits = {emits}\nsphere = {{ center = [1, 1, 0], radius = 0.2 }}\n"
         );
         let scene = scene([0.0, 1.0, 6.0], &text, None);
-        let films = [&Path::new(4) as &dyn Integrator, &NextEvent { max_depth: 4 }]
-            .map(|integrator| render(&scene, integrator, &Options::default(), &()).film);
+        let films = [
+            &Path::new(4) as &dyn Integrator,
+            &NextEvent { max_depth: 4 },
+        ]
+        .map(|integrator| render(&scene, integrator, &Options::default(), &()).film);
         films
     };
-    let same = |color: &str| format!("{{ checker = {{ even = {color}, odd = {color}, fields = 5 }} }}");
+    let same =
+        |color: &str| format!("{{ checker = {{ even = {color}, odd = {color}, fields = 5 }} }}");
     let plain = film("0.5", "[3, 2, 1]");
     assert!(plain == film(&same("0.5"), &same("[3, 2, 1]")));
     assert!(plain != film(&same("0.6"), &same("[3, 2, 1]")));
@@ -150,7 +163,11 @@ fn a_lamp_of_many_colors_lights_as_its_fields_do() {
     let from = [0.0, 0.5, 2.0];
     let checker = "{ checker = { even = 8, odd = 0.5, fields = 4 } }";
     let whole = "quad = { corner = [-1, 1, -1], u = [2, 0, 0], v = [0, 0, 2] }";
-    let one = scene(from, &format!("{floor}[[objects]]\nemits = {checker}\n{whole}\n"), None);
+    let one = scene(
+        from,
+        &format!("{floor}[[objects]]\nemits = {checker}\n{whole}\n"),
+        None,
+    );
     let fields = (0..16).map(|i| {
         let (s, t) = (i % 4, i / 4);
         let emits = if (s + t) % 2 == 0 { 8.0 } else { 0.5 };
@@ -160,7 +177,11 @@ fn a_lamp_of_many_colors_lights_as_its_fields_do() {
             corner[0], corner[1]
         )
     });
-    let many = scene(from, &format!("{floor}{}", fields.collect::<String>()), None);
+    let many = scene(
+        from,
+        &format!("{floor}{}", fields.collect::<String>()),
+        None,
+    );
     let max_depth = 2;
     let truth = middle(&many, &NextEvent { max_depth }, 20_000);
     let mean = (truth.mean(), truth.std_error());
@@ -168,11 +189,22 @@ fn a_lamp_of_many_colors_lights_as_its_fields_do() {
         alike(name, (estimate.mean(), estimate.std_error()), mean, 0.03);
     };
     check("kajiya", middle(&one, &Kajiya { max_depth }, 400_000));
-    check("next-event", middle(&one, &NextEvent { max_depth }, 100_000));
+    check(
+        "next-event",
+        middle(&one, &NextEvent { max_depth }, 100_000),
+    );
     check("path", middle(&one, &Path::new(max_depth), 100_000));
     // With the brightest radiance everywhere, or the mean, it would be another light.
-    let bright = scene(from, &format!("{floor}[[objects]]\nemits = 8\n{whole}\n"), None);
-    reject("as bright everywhere", &middle(&bright, &NextEvent { max_depth }, 20_000), mean.0);
+    let bright = scene(
+        from,
+        &format!("{floor}[[objects]]\nemits = 8\n{whole}\n"),
+        None,
+    );
+    reject(
+        "as bright everywhere",
+        &middle(&bright, &NextEvent { max_depth }, 20_000),
+        mean.0,
+    );
 }
 
 #[test]
@@ -183,12 +215,24 @@ fn chance_and_sampling_agree_on_textured_lamps_of_every_shape() {
     let image = "emits = { image = { file = 'four.png', scale = 4 } }";
     for (name, lamp) in [
         ("sphere", "sphere = { center = [0.3, 2, 0], radius = 0.7 }"),
-        ("turned sphere", "transform = { rotate = { axis = [1, 1, 0], degrees = 70 } }\nsphere = { center = [1, 1, 0], radius = 0.7 }"),
-        ("triangle", "two_sided = true\ntriangle = { a = [-1, 2, -1], b = [1, 2, 1], c = [-1, 1.5, 1] }"),
+        (
+            "turned sphere",
+            "transform = { rotate = { axis = [1, 1, 0], degrees = 70 } }\nsphere = { center = [1, 1, 0], radius = 0.7 }",
+        ),
+        (
+            "triangle",
+            "two_sided = true\ntriangle = { a = [-1, 2, -1], b = [1, 2, 1], c = [-1, 1.5, 1] }",
+        ),
         ("mesh", "two_sided = true\nmesh = { file = 'lamp.obj' }"),
         ("box", "box = { min = [-1, 1.5, -1], max = [0.5, 2, 1] }"),
-        ("mirrored box", "transform = { scale = [-1, 1, 1] }\nbox = { min = [-1, 1.5, -1], max = [0.5, 2, 1] }"),
-        ("moving quad", "motion = [1, 0, 0]\nquad = { corner = [-1, 2, -1], u = [2, 0, 0], v = [0, 0, 2] }"),
+        (
+            "mirrored box",
+            "transform = { scale = [-1, 1, 1] }\nbox = { min = [-1, 1.5, -1], max = [0.5, 2, 1] }",
+        ),
+        (
+            "moving quad",
+            "motion = [1, 0, 0]\nquad = { corner = [-1, 2, -1], u = [2, 0, 0], v = [0, 0, 2] }",
+        ),
     ] {
         let text = format!(
             "shutter = [0, 1]\n[materials.m]\nlambert = {{ albedo = 0.8 }}\n[[objects]]\nmaterial = 'm'\n\
@@ -214,9 +258,24 @@ fn chance_and_sampling_agree_on_textured_lamps_of_every_shape() {
             heuristic,
         };
         let chance = read(&Kajiya { max_depth }, 200_000);
-        alike(&format!("{name}, next-event"), read(&NextEvent { max_depth }, 40_000), chance, 0.04);
-        alike(&format!("{name}, combine"), read(&combine, 40_000), chance, 0.04);
-        alike(&format!("{name}, path"), read(&Path::new(max_depth), 40_000), chance, 0.04);
+        alike(
+            &format!("{name}, next-event"),
+            read(&NextEvent { max_depth }, 40_000),
+            chance,
+            0.04,
+        );
+        alike(
+            &format!("{name}, combine"),
+            read(&combine, 40_000),
+            chance,
+            0.04,
+        );
+        alike(
+            &format!("{name}, path"),
+            read(&Path::new(max_depth), 40_000),
+            chance,
+            0.04,
+        );
     }
 }
 
@@ -248,26 +307,81 @@ fn bad_textures_are_told_with_their_place() {
     let camera = "[camera]\nfrom = [0, 0, 4]\nto = [0, 0, 0]\nfov = 40\n";
     let quad = "quad = { corner = [-1, -1, 0], u = [2, 0, 0], v = [0, 2, 0] }\n";
     for (albedo, field, what) in [
-        ("{}", "albedo", "needs a kind of texture: one of checker, image"),
-        ("{ wood = 1 }", "albedo.wood", "is not a field here; allowed: `checker` or `image`"),
-        ("{ checker = { even = 1 } }", "albedo.checker.odd", "is missing"),
-        ("{ checker = { even = 2, odd = 0 } }", "albedo.checker.even", "must be between 0 and 1 in each channel"),
-        ("{ checker = { even = 0, odd = 1, fields = 0 } }", "albedo.checker.fields", "must be greater than 0 along u"),
-        ("{ checker = { even = 0, odd = 1, fields = [1, 2, 3] } }", "albedo.checker.fields", "2 numbers in brackets, or one number for both"),
-        ("{ checker = { even = 0, odd = 1, field = 1 } }", "albedo.checker.field", "`fields`"),
+        (
+            "{}",
+            "albedo",
+            "needs a kind of texture: one of checker, image",
+        ),
+        (
+            "{ wood = 1 }",
+            "albedo.wood",
+            "is not a field here; allowed: `checker` or `image`",
+        ),
+        (
+            "{ checker = { even = 1 } }",
+            "albedo.checker.odd",
+            "is missing",
+        ),
+        (
+            "{ checker = { even = 2, odd = 0 } }",
+            "albedo.checker.even",
+            "must be between 0 and 1 in each channel",
+        ),
+        (
+            "{ checker = { even = 0, odd = 1, fields = 0 } }",
+            "albedo.checker.fields",
+            "must be greater than 0 along u",
+        ),
+        (
+            "{ checker = { even = 0, odd = 1, fields = [1, 2, 3] } }",
+            "albedo.checker.fields",
+            "2 numbers in brackets, or one number for both",
+        ),
+        (
+            "{ checker = { even = 0, odd = 1, field = 1 } }",
+            "albedo.checker.field",
+            "`fields`",
+        ),
         ("{ image = 'four.png' }", "albedo.image", "must be a table"),
-        ("{ image = { file = 'none.png' } }", "albedo.image.file", "cannot be opened"),
-        ("{ image = { file = 'no.png' } }", "albedo.image.file", "is not a proper image"),
-        ("{ image = { file = 'four.png', scale = 2 } }", "albedo.image.file", "has a pixel in column 0 of row 0 that must be between 0 and 1"),
-        ("{ image = { file = 'four.png', repeat = -1 } }", "albedo.image.repeat", "must be greater than 0"),
-        ("{ checker = { even = 0, odd = 1 }, image = { file = 'four.png' } }", "albedo", "has both checker and image"),
-        ("'red'", "albedo", "3 numbers in brackets, or one number for all three"),
+        (
+            "{ image = { file = 'none.png' } }",
+            "albedo.image.file",
+            "cannot be opened",
+        ),
+        (
+            "{ image = { file = 'no.png' } }",
+            "albedo.image.file",
+            "is not a proper image",
+        ),
+        (
+            "{ image = { file = 'four.png', scale = 2 } }",
+            "albedo.image.file",
+            "has a pixel in column 0 of row 0 that must be between 0 and 1",
+        ),
+        (
+            "{ image = { file = 'four.png', repeat = -1 } }",
+            "albedo.image.repeat",
+            "must be greater than 0",
+        ),
+        (
+            "{ checker = { even = 0, odd = 1 }, image = { file = 'four.png' } }",
+            "albedo",
+            "has both checker and image",
+        ),
+        (
+            "'red'",
+            "albedo",
+            "3 numbers in brackets, or one number for all three",
+        ),
     ] {
         let text = format!(
             "{camera}[materials.m]\nlambert = {{ albedo = {albedo} }}\n[[objects]]\nmaterial = 'm'\n{quad}"
         );
         let said = parse(&text, Some(folder.path())).unwrap_err().to_string();
-        assert!(said.contains(&format!("materials.m.lambert.{field}")), "{albedo}: {said}");
+        assert!(
+            said.contains(&format!("materials.m.lambert.{field}")),
+            "{albedo}: {said}"
+        );
         assert!(said.contains(what), "{albedo}: {said}");
         assert!(said.starts_with("t.toml:9:"), "{albedo}: {said}");
     }
@@ -276,9 +390,15 @@ fn bad_textures_are_told_with_their_place() {
         parse(&text, Some(folder.path())).unwrap_err().to_string()
     };
     let said = emits("{ checker = { even = 0, odd = 0 } }");
-    assert!(said.contains("objects[0].emits") && said.contains("gives no light at all"), "{said}");
+    assert!(
+        said.contains("objects[0].emits") && said.contains("gives no light at all"),
+        "{said}"
+    );
     let said = emits("{ checker = { even = -1, odd = 1 } }");
-    assert!(said.contains("emits.checker.even") && said.contains("must be 0 or more"), "{said}");
+    assert!(
+        said.contains("emits.checker.even") && said.contains("must be 0 or more"),
+        "{said}"
+    );
     // Shares that make light together are told as for plain colours.
     let text = format!(
         "{camera}[materials.m]\nmixture = {{ kd = {{ checker = {{ even = 0.1, odd = 0.8 }} }}, ks = 0.3, kt = 0 }}\n\
@@ -287,7 +407,12 @@ fn bad_textures_are_told_with_their_place() {
     let said = parse(&text, None).unwrap_err().to_string();
     assert!(said.contains("at most 1 in each channel"), "{said}");
     // Scenes that come with the program name no files.
-    let text = format!("{camera}[materials.m]\nlambert = {{ albedo = {{ image = {{ file = 'four.png' }} }} }}\n");
+    let text = format!(
+        "{camera}[materials.m]\nlambert = {{ albedo = {{ image = {{ file = 'four.png' }} }} }}\n"
+    );
     let said = parse(&text, None).unwrap_err().to_string();
-    assert!(said.contains("only possible in a scene file of its own"), "{said}");
+    assert!(
+        said.contains("only possible in a scene file of its own"),
+        "{said}"
+    );
 }

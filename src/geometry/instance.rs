@@ -52,7 +52,11 @@ impl Instance {
     /// different that roundings do not carry over, or the mesh does not fit into finite numbers.
     pub fn new(mesh: Arc<SharedMesh>, linear: DMat3, shift: DVec3) -> Option<Self> {
         let inverse = linear.inverse();
-        let size = |m: DMat3| m.to_cols_array().iter().fold(0.0, |a: f64, x| a.max(x.abs()));
+        let size = |m: DMat3| {
+            m.to_cols_array()
+                .iter()
+                .fold(0.0, |a: f64, x| a.max(x.abs()))
+        };
         let condition = size(linear) * size(inverse);
         // A NaN of a singular matrix is not below either.
         let well = condition <= WORST_CONDITION;
@@ -75,13 +79,23 @@ impl Instance {
         (well && instance.bounds.is_finite()).then_some(instance)
     }
 
-    /// The mesh's triangles in world coordinates, each corner rounded once.
-    pub fn triangles(&self) -> impl Iterator<Item = Triangle> {
-        self.mesh.triangles.iter().map(|t| Triangle {
-            a: self.point(t.a),
-            b: self.point(t.b),
-            c: self.point(t.c),
+    /// The mesh's triangles in world coordinates, each corner rounded once. Where the transformation
+    /// mirrors, second and third corner change places, so that fronts stay fronts.
+    pub fn triangles(&self) -> impl ExactSizeIterator<Item = Triangle> {
+        let mirrors = self.mirrors();
+        self.mesh.triangles.iter().map(move |t| {
+            let (b, c) = if mirrors { (t.c, t.b) } else { (t.b, t.c) };
+            Triangle {
+                a: self.point(t.a),
+                b: self.point(b),
+                c: self.point(c),
+            }
         })
+    }
+
+    /// True where the transformation turns right hands into left ones.
+    pub fn mirrors(&self) -> bool {
+        self.to_world.determinant() < 0.0
     }
 
     /// The surface at an intersection with this ray.

@@ -20,7 +20,7 @@ mod triangle;
 pub use aabb::Aabb;
 pub use bvh::{Bvh, Found, brute_force};
 pub use instance::{Instance, SharedMesh};
-pub use mesh::{Mesh, TriangleCount};
+pub use mesh::{DEFAULT_UVS, Mesh};
 pub use moving::Moving;
 pub use polygon::{Polygons, Triangulation};
 pub use quad::Quad;

@@ -7,7 +7,7 @@ use super::parts::{Parts, alone};
 use super::value::{Finite, Positive, Radiance};
 use super::{Mapping, Object};
 use crate::color::Rgb;
-use crate::geometry::Shape;
+use crate::geometry::{Instance, Shape};
 use crate::lights::{
     DirectionalLight, EnvironmentLight, Light, MeshLight, PointLight, QuadLight, SphereLight,
     TriangleLight,
@@ -81,6 +81,23 @@ impl Parts<'_> {
             self.lights.extend(light);
             self.all.extend(shapes.iter().map(|&shape| (shape, object)));
         }
+    }
+}
+
+impl Parts<'_> {
+    /// Adds an object that is an instance of a mesh.
+    pub(super) fn push_instance(
+        &mut self,
+        instance: Instance,
+        material: Option<Material>,
+        mapping: Mapping,
+    ) {
+        self.instances.push((instance, self.objects.len() as u32));
+        self.objects.push(Object {
+            material,
+            mapping,
+            ..Object::default()
+        });
     }
 }
 

@@ -36,7 +36,7 @@ pub use casters::{Casters, SeenCasters};
 pub use effects::{Effect, Effects, Inventory, Sky};
 pub use gallery::load;
 pub use interaction::Interaction;
-pub use mapping::Mapping;
+pub use mapping::{Corners, Mapping};
 pub use read::SceneError;
 pub use spacing::Coarse;
 pub use tracer::{RayCounts, Tracer};
@@ -215,6 +215,8 @@ pub struct Suggested {
 pub struct BuildReport {
     /// Shapes in the hierarchy.
     pub shapes: usize,
+    /// Objects that are meshes stored once for several objects.
+    pub instances: usize,
     /// Triangles left out because they have no area.
     pub degenerate_triangles: usize,
     /// What else is to be said about the scene, in sentences.

@@ -74,7 +74,7 @@ pub(super) fn part(
     objects: &[Object],
     spans: &[Vec3],
     lights: usize,
-    instances: Vec<(Instance, u32)>,
+    instances: &[(Instance, u32)],
 ) -> (Vec<Shape>, Vec<u32>, Option<TransformedShapes>) {
     let stands = |(_, object): &(Shape, u32)| spans[*object as usize] == Vec3::ZERO;
     let (still, moving): (Vec<_>, Vec<_>) = all.into_iter().partition(stands);
@@ -91,8 +91,8 @@ pub(super) fn part(
     let (mut primitives, moving): (Vec<_>, Vec<Placed>) = moving.unzip();
     let mut owners: Vec<u32> = moving.iter().map(|shape| shape.object).collect();
     for (instance, object) in instances {
-        primitives.push(Transformed::Instance(instance));
-        owners.push(object);
+        primitives.push(Transformed::Instance(instance.clone()));
+        owners.push(*object);
     }
     let mut span_of_light = vec![Vec3::ZERO; lights];
     for (object, span) in objects.iter().zip(spans) {

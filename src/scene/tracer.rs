@@ -165,7 +165,12 @@ impl Scene {
     /// What a ray hits first of what stands still, if `still` is the first of that, and of what
     /// moves; of two at the same distance the one that comes first in the file.
     #[inline(never)]
-    fn first_of_both(&self, transformed: &TransformedShapes, still: Option<Found>, ray: &Ray) -> Option<Hit> {
+    fn first_of_both(
+        &self,
+        transformed: &TransformedShapes,
+        still: Option<Found>,
+        ray: &Ray,
+    ) -> Option<Hit> {
         let t_max = still.map_or(ray.t_max, |found| found.crossing.t);
         let ahead = Ray { t_max, ..*ray };
         if let Some(found) = transformed.bvh.first(&ahead) {

@@ -12,6 +12,7 @@ pub mod meshes;
 mod odd_scenes;
 mod options;
 mod target;
+pub mod textured_meshes;
 mod unheard;
 mod whole_files;
 

@@ -186,11 +186,7 @@ fn a04_self_intersection_offsets_stay_within_a_gap_of_64_ulps() {
             let surface = match &first {
                 Shape::Sphere(s) => s.surface_towards(draw.direction().as_dvec3().normalize()),
                 Shape::Quad(q) => q.surface_at(draw.between(0.3, 0.7), draw.between(0.3, 0.7)),
-                Shape::Triangle(t) => t.surface(Crossing {
-                    t: 0.0,
-                    u: 0.3,
-                    v: 0.2,
-                }),
+                Shape::Triangle(t) => t.surface(Crossing::new(0.0, 0.3, 0.2)),
             };
             for _ in 0..100 {
                 let slant = draw.leaving(surface.n);
