@@ -1,15 +1,14 @@
 //! Light that a picture lacks: what its integrator cannot find, and what was left out on purpose.
 
-use super::demand::bias_json;
+use super::demand::Bias;
 use crate::effects::black::why_black;
 use crate::effects::language::Wanted;
-use crate::effects::measure::Difference;
 use crate::effects::missed::{Missed, missed, unmet};
 use crate::effects::plan::{Demand, demand, plan};
 use crate::integrators::Entry;
 use crate::render::Rendered;
 use crate::scene::Scene;
-use serde_json::{Value, json};
+use serde::Serialize;
 
 /// What a picture of a scene by an integrator lacks.
 #[derive(Debug)]
@@ -121,21 +120,29 @@ impl LeftOut {
         }
     }
 
-    /// What is left out, for machines: null where nothing is.
-    pub fn as_json(&self, bias: Option<&Difference>) -> Value {
-        if self.missed.is_empty() && self.on_purpose.is_none() && bias.is_none() {
-            return Value::Null;
-        }
-        let mut object = json!({
-            "integrator": self.integrator.name,
-            "words": self.words(),
-            "lights": self.missed,
-            "on_purpose": self.on_purpose.as_ref().map(|demand| &demand.left_out),
-        });
-        if let Some(Value::Object(bias)) = bias.map(bias_json) {
-            bias.into_iter()
-                .for_each(|(key, value)| object[key] = value);
-        }
-        object
+    /// What is left out; `None` where nothing is.
+    pub fn lacks(&self, bias: Option<Bias>) -> Option<Lacks> {
+        let nothing = self.missed.is_empty() && self.on_purpose.is_none() && bias.is_none();
+        (!nothing).then(|| Lacks {
+            integrator: self.integrator.name,
+            words: self.words().into_iter().map(str::to_owned).collect(),
+            lights: self.missed.clone(),
+            on_purpose: self
+                .on_purpose
+                .as_ref()
+                .map(|demand| demand.left_out.clone()),
+            bias,
+        })
     }
+}
+
+/// Light that a picture lacks, for programs.
+#[derive(Debug, Serialize)]
+pub(super) struct Lacks {
+    integrator: &'static str,
+    words: Vec<String>,
+    lights: Vec<Missed>,
+    on_purpose: Option<Vec<String>>,
+    #[serde(flatten)]
+    bias: Option<Bias>,
 }

@@ -5,6 +5,7 @@ use crate::notation::{Expression, Language, Word};
 use crate::numeric::count;
 use crate::scene::{Effect, Inventory, Scene, Sky};
 use serde::Serialize;
+use std::fmt::{self, Display, Formatter};
 
 /// What a scene calls for.
 #[derive(Clone, Debug, Serialize)]
@@ -52,6 +53,39 @@ pub struct Demand {
 
 /// Words shown of a language.
 const SHOWN: usize = 5;
+
+impl Display for Plan {
+    fn fmt(&self, f: &mut Formatter) -> fmt::Result {
+        for (simulated, title) in [(true, "simulated"), (false, "not simulated")] {
+            let lines = || self.lines.iter().filter(|l| l.simulated == simulated);
+            if lines().next().is_some() {
+                writeln!(f, "\n{title}")?;
+            }
+            for line in lines() {
+                writeln!(f, "  {:<13} {}", line.effect.name(), line.reason)?;
+            }
+        }
+        let none = "none, so the picture is black";
+        let paths = self.paths.as_deref().unwrap_or(none);
+        writeln!(f, "\nlight paths: {paths}")?;
+        if let Some(OutOfReach { paths, reason }) = &self.out_of_reach {
+            writeln!(f, "out of reach: {paths}: {reason}")?;
+        }
+        self.notes
+            .iter()
+            .try_for_each(|note| writeln!(f, "note: {note}"))
+    }
+}
+
+impl Display for Demand {
+    fn fmt(&self, f: &mut Formatter) -> fmt::Result {
+        if self.all {
+            return writeln!(f, "the demand: every path of the scene");
+        }
+        writeln!(f, "the demand keeps {} …", self.kept.join(", "))?;
+        writeln!(f, "        and leaves out {} …", self.left_out.join(", "))
+    }
+}
 
 /// What a scene calls for.
 pub fn plan(scene: &Scene) -> Plan {
