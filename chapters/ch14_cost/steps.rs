@@ -23,13 +23,13 @@ pub fn falls(desk: &mut Desk) -> Result<(), DeskError> {
         (
             "early",
             "noise falls from 1000 to 2000 samples by, %",
-            found.one_to_two * 100.0,
+            found.one_to_two.percent(),
             root(1.0, 2.0),
         ),
         (
             "late",
             "noise falls from 20 000 to 21 000 samples by, %",
-            found.twenty_to_more * 100.0,
+            found.twenty_to_more.percent(),
             root(20.0, 21.0),
         ),
         (

@@ -216,7 +216,7 @@ fn by_word(words: &Words) -> Vec<OfWord> {
     let total = words.total.mean();
     let of = |(word, share): (&Word, &Share)| OfWord {
         word: word.to_string(),
-        share: share.light.measurement() / total,
+        share: share.light.measurement().map(|x| x / total),
         paths: share.paths,
         light: share.light.mean(),
     };
@@ -228,7 +228,7 @@ fn by_class_of(scene: &Scene, classes: &[Class], pictures: &[Film]) -> Vec<OfCla
     let of = |(class, film): (&Class, &Film)| OfClass {
         class: *class,
         words: class.text(),
-        share: Measurement::from(film.mean()) / sum,
+        share: Measurement::from(film.mean()).map(|x| x / sum),
         found_by: LADDER
             .map(|entry| (entry.name, finds(&entry, *class, &scene.inventory)))
             .into(),
@@ -237,11 +237,8 @@ fn by_class_of(scene: &Scene, classes: &[Class], pictures: &[Film]) -> Vec<OfCla
 }
 
 fn percent(share: Measurement) -> String {
-    format!(
-        "{:>7.3} ± {:.3} %",
-        100.0 * share.value,
-        100.0 * share.error
-    )
+    let Measurement { value, error } = share.percent();
+    format!("{value:>7.3} ± {error:.3} %")
 }
 
 impl Sorted {

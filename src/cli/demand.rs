@@ -158,7 +158,7 @@ pub(super) struct Bias {
 
 impl Display for Bias {
     fn fmt(&self, f: &mut Formatter) -> fmt::Result {
-        let Measurement { value, error } = self.missing * 100.0;
+        let Measurement { value, error } = self.missing.percent();
         let change = if value < 0.0 {
             format!("has {:.2} ± {error:.2} % more light than it should", -value)
         } else {

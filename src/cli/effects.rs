@@ -178,7 +178,7 @@ impl Display for Measurements {
         )?;
         for Measured { effect, difference } in &self.effects {
             let Difference { time, rel_mse, .. } = difference;
-            let share = difference.share * 100.0;
+            let share = difference.share.percent();
             writeln!(
                 f,
                 "{:<14} {:<26} {:<22} {:.1e} ± {:.0e}",

@@ -4,7 +4,7 @@ use super::answer::{print, to_json};
 use super::demand::{Demand, bias};
 use super::left_out::LeftOut;
 use super::maps::Maps;
-use super::report::{Findings, Report};
+use super::report::{Made, Report};
 use super::stop::{Ended, Ending};
 use super::{Stop, note_slow_build, stem, use_threads};
 use crate::desk::{Bar, on_ctrl_c, tell, whole};
@@ -188,7 +188,7 @@ impl Render {
         let kept = output::write_somewhere(&path, &rendered.film, display, &facts)?;
         let path = &kept.path;
         let goal = self.ending.goal();
-        let (maps, maps_failed) = match self.maps.write(path, &rendered.film, &goal) {
+        let ((maps, no_maps), maps_failed) = match self.maps.write(path, &rendered.film, &goal) {
             Ok(maps) => (maps, None),
             Err(error) => (Default::default(), Some(error)),
         };
@@ -202,21 +202,23 @@ impl Render {
             bias(whole, left, outcome.spp, &Bar::hidden(on_ctrl_c()))
         });
         let unmeasured = biased && bias.is_none();
+        left_out.iter_mut().for_each(|l| l.bias = bias);
         let left_out = left_out.as_ref();
-        let findings = Findings {
+        let report = Report {
+            made: Made::new(&scene, &facts, rendered, path),
             accuracy: Ended::new(&outcome, &goal, facts.sampler, left_out),
-            too_bright: self.too_bright(&scene, rendered, max_depth),
+            too_bright_pixels: self.too_bright(&scene, rendered, max_depth),
+            maps,
+            no_maps,
             black: left_out
                 .filter(|_| rendered.is_black())
                 .map(|left_out| left_out.why_black(&scene, max_depth)),
-            asked: self.rarely_asked(&scene, rendered, max_depth),
-            left_out,
-            bias,
+            rarely_asked: self.rarely_asked(&scene, rendered, max_depth),
+            lamps_unmet: left_out.map_or(0, LeftOut::unmet),
+            unmet: left_out.map_or_else(String::new, LeftOut::after),
+            left_out: left_out.filter(|left_out| !left_out.is_nothing()),
             unmeasured,
-            maps: maps.0,
-            no_maps: maps.1,
         };
-        let report = Report::new(&scene, &facts, &outcome, path, findings);
         if !self.quiet {
             tell(&report);
         }

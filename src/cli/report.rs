@@ -1,22 +1,44 @@
 //! What happened in a render: in words, and for programs.
 
-use super::demand::Bias;
-use super::left_out::{Lacks, LeftOut};
+use super::left_out::LeftOut;
 use super::stop::Ended;
 use crate::integrators::{ENOUGH, RarelyAsked};
 use crate::numeric::count;
 use crate::output::Provenance;
-use crate::render::target::{Outcome, fewest};
-use crate::render::{BadSample, Faults};
+use crate::render::target::fewest;
+use crate::render::{BadSample, Faults, Rendered};
 use crate::scene::{Coarse, RayCounts, Scene};
 use crate::stats::Measurement;
 use serde::Serialize;
 use std::fmt::{self, Display, Formatter};
 use std::path::Path;
 
-/// What happened in a render.
+/// What happened in a render, and what was found out about its picture.
 #[derive(Serialize)]
 pub(super) struct Report<'a> {
+    #[serde(flatten)]
+    pub made: Made<'a>,
+    pub accuracy: Ended,
+    pub too_bright_pixels: usize,
+    pub maps: Vec<String>,
+    /// Why there are no maps, or not all of them.
+    #[serde(skip)]
+    pub no_maps: Option<String>,
+    pub black: Option<String>,
+    pub rarely_asked: Option<RarelyAsked>,
+    pub lamps_unmet: usize,
+    /// What no sample has met, in words.
+    #[serde(skip)]
+    pub unmet: String,
+    pub left_out: Option<&'a LeftOut>,
+    /// True where a bias was to be measured, and was not.
+    #[serde(skip)]
+    pub unmeasured: bool,
+}
+
+/// What was made of a scene.
+#[derive(Serialize)]
+pub(super) struct Made<'a> {
     facts: &'a Provenance,
     size: [u32; 2],
     shapes: usize,
@@ -34,57 +56,20 @@ pub(super) struct Report<'a> {
     non_finite: u64,
     faults: Faults,
     largest_sample: f32,
-    too_bright_pixels: usize,
     first_non_finite: Option<BadSample>,
     interrupted: bool,
     /// The fewest and the most samples of a pixel.
     #[serde(skip)]
     samples: [u64; 2],
     out: String,
-    accuracy: Ended,
-    maps: Vec<String>,
-    /// Why there are no maps, or not all of them.
-    #[serde(skip)]
-    no_maps: Option<String>,
-    black: Option<String>,
-    rarely_asked: Option<RarelyAsked>,
-    lamps_unmet: usize,
-    left_out: Option<Lacks>,
-    /// What no sample has met, in words.
-    #[serde(skip)]
-    unmet: String,
-    #[serde(skip)]
-    bias: Option<Bias>,
-    /// True where a bias was to be measured, and was not.
-    #[serde(skip)]
-    unmeasured: bool,
 }
 
-/// What was found out about a picture when it was finished.
-pub(super) struct Findings<'a> {
-    pub accuracy: Ended,
-    pub too_bright: usize,
-    pub black: Option<String>,
-    pub asked: Option<RarelyAsked>,
-    pub left_out: Option<&'a LeftOut>,
-    pub bias: Option<Bias>,
-    pub unmeasured: bool,
-    pub maps: Vec<String>,
-    pub no_maps: Option<String>,
-}
-
-impl<'a> Report<'a> {
-    pub fn new(
-        scene: &'a Scene,
-        facts: &'a Provenance,
-        outcome: &Outcome,
-        path: &Path,
-        found: Findings,
-    ) -> Self {
-        let (built, rendered) = (&scene.report, &outcome.rendered);
+impl<'a> Made<'a> {
+    pub fn new(scene: &'a Scene, facts: &'a Provenance, rendered: &Rendered, path: &Path) -> Self {
+        let built = &scene.report;
         let seconds = rendered.time.as_secs_f64();
         let counts = || rendered.film.pixels().iter().map(|p| p.count());
-        Report {
+        Made {
             facts,
             size: scene.size,
             shapes: built.shapes,
@@ -101,21 +86,10 @@ impl<'a> Report<'a> {
             non_finite: rendered.non_finite,
             faults: rendered.faults,
             largest_sample: rendered.largest,
-            too_bright_pixels: found.too_bright,
             first_non_finite: rendered.first_bad,
             interrupted: rendered.interrupted,
             samples: [counts().min(), counts().max()].map(Option::unwrap_or_default),
             out: path.display().to_string(),
-            accuracy: found.accuracy,
-            maps: found.maps,
-            no_maps: found.no_maps,
-            black: found.black,
-            rarely_asked: found.asked,
-            lamps_unmet: found.left_out.map_or(0, LeftOut::unmet),
-            left_out: found.left_out.and_then(|l| l.lacks(found.bias)),
-            unmet: found.left_out.map_or_else(String::new, LeftOut::after),
-            bias: found.bias,
-            unmeasured: found.unmeasured,
         }
     }
 
@@ -152,8 +126,8 @@ impl<'a> Report<'a> {
         Ok(())
     }
 
-    /// What is odd about the picture.
-    fn picture(&self, f: &mut Formatter) -> fmt::Result {
+    /// What is odd about the samples.
+    fn samples(&self, f: &mut Formatter) -> fmt::Result {
         if let Some(BadSample { sample, x, y }) = self.first_non_finite {
             let Faults {
                 nan,
@@ -166,6 +140,14 @@ impl<'a> Report<'a> {
                  which are in no mean, {negative} negative; the first is sample {sample} of pixel {x},{y}"
             )?;
         }
+        Ok(())
+    }
+}
+
+impl Report<'_> {
+    /// What is odd about the picture.
+    fn picture(&self, f: &mut Formatter) -> fmt::Result {
+        self.made.samples(f)?;
         if self.too_bright_pixels > 0 {
             let what = count(self.too_bright_pixels, "pixel is", "pixels are");
             writeln!(
@@ -173,8 +155,8 @@ impl<'a> Report<'a> {
                 "warning: {what} brighter than the scene's lights and albedos allow"
             )?;
         }
-        if self.interrupted {
-            let [least, most] = self.samples;
+        if self.made.interrupted {
+            let [least, most] = self.made.samples;
             writeln!(
                 f,
                 "interrupted: the picture has {least} to {most} samples per pixel"
@@ -199,9 +181,10 @@ impl<'a> Report<'a> {
 
 impl Display for Report<'_> {
     fn fmt(&self, f: &mut Formatter) -> fmt::Result {
-        let ([w, h], name) = (self.size, &self.facts.scene);
-        let shapes = count(self.shapes, "shape", "shapes");
-        let (built, seconds) = (self.build_seconds, self.seconds);
+        let made = &self.made;
+        let ([w, h], name) = (made.size, &made.facts.scene);
+        let shapes = count(made.shapes, "shape", "shapes");
+        let (built, seconds) = (made.build_seconds, made.seconds);
         writeln!(
             f,
             "{name}: {w} x {h}, {shapes}, built in {built:.3} s, rendered in {seconds:.3} s"
@@ -210,38 +193,38 @@ impl Display for Report<'_> {
             camera,
             secondary,
             shadow,
-        } = self.rays;
-        let speed = self.rays_per_second / 1e6;
+        } = made.rays;
+        let speed = made.rays_per_second / 1e6;
         writeln!(
             f,
             "rays: {camera} camera, {secondary} secondary, {shadow} shadow; {speed:.2} million per second"
         )?;
-        let Measurement { value, error } = self.mean;
+        let Measurement { value, error } = made.mean;
         write!(f, "mean of the picture: {value:.6}")?;
         let reached = &self.accuracy.reached;
         if !error.is_finite() {
             writeln!(f, " (error not known)")?;
         } else if reached.error.is_infinite() {
             writeln!(f, " ± {error:.1e} of rounding; no noise was seen")?;
-        } else if reached.spp < fewest(self.facts.sampler) {
+        } else if reached.spp < fewest(made.facts.sampler) {
             let why = "since few samples that lie evenly only bound their error";
             writeln!(f, " ± at most {error:.1e}, {why}")?;
         } else {
             writeln!(f, " ± {error:.1e}")?;
         }
-        self.scene(f)?;
+        made.scene(f)?;
         self.picture(f)?;
         self.accuracy.fmt(f)?;
         if let Some(why) = &self.black {
             writeln!(f, "the picture is black: {why}")?;
         }
-        if let Some(bias) = &self.bias {
+        if let Some(bias) = self.left_out.and_then(|left_out| left_out.bias) {
             writeln!(f, "{bias}")?;
         } else if self.unmeasured {
             let what = "the picture is complete, but what it lacks was not measured";
             writeln!(f, "interrupted: {what}")?;
         }
-        write!(f, "wrote {}", self.out)?;
+        write!(f, "wrote {}", made.out)?;
         let mut maps = self.maps.iter();
         maps.try_for_each(|map| write!(f, "\nwrote {map}"))?;
         let mut no_maps = self.no_maps.iter();

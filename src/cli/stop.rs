@@ -180,29 +180,27 @@ impl Ended {
 
     /// Why it ended, where something but its samples should end it.
     fn end(&self) -> String {
-        let tolerance = percent(TOLERANCE);
-        match (self.stopped_by, &self.unknown) {
-            (StoppedBy::Error, Some(unknown)) => {
-                format!("\nended at its target (to within {tolerance} of it), but {unknown}")
+        let why = match self.stopped_by {
+            StoppedBy::Error => {
+                let but = self
+                    .unknown
+                    .as_ref()
+                    .map(|unknown| format!(", but {unknown}"));
+                let (tolerance, but) = (percent(TOLERANCE), but.unwrap_or_default());
+                return format!("\nended at its target (to within {tolerance} of it){but}");
             }
-            (StoppedBy::Error, None) => {
-                format!("\nended at its target (to within {tolerance} of it)")
+            StoppedBy::Time => "ended with its time",
+            StoppedBy::Samples => "ended above its target, with the most samples it may take",
+            StoppedBy::NoNoise if self.reached.error.is_finite() => {
+                "ended above its target: what is left of the error is rounding"
             }
-            (StoppedBy::Time, _) => "\nended with its time".to_owned(),
-            (StoppedBy::Samples, _) => {
-                "\nended above its target, with the most samples it may take".to_owned()
+            StoppedBy::NoNoise => "ended without an error to compare with its target",
+            StoppedBy::Interrupt if self.is_pilot => {
+                "the picture is the pilot's, which has a seed of its own"
             }
-            (StoppedBy::NoNoise, _) if self.reached.error.is_finite() => {
-                "\nended above its target: what is left of the error is rounding".to_owned()
-            }
-            (StoppedBy::NoNoise, _) => {
-                "\nended without an error to compare with its target".to_owned()
-            }
-            (StoppedBy::Interrupt, _) if self.is_pilot => {
-                "\nthe picture is the pilot's, which has a seed of its own".to_owned()
-            }
-            (StoppedBy::Interrupt, _) => String::new(),
-        }
+            StoppedBy::Interrupt => return String::new(),
+        };
+        format!("\n{why}")
     }
 
     /// The error of the picture.

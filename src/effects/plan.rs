@@ -146,31 +146,23 @@ pub fn reason(effect: Effect, has: &Inventory) -> String {
         return "nothing shines, so there is nothing to simulate".to_owned();
     }
     match (effect, simulated) {
-        (Effect::PointLights, true) if !has.is_rough() => format!(
-            "{}, but only rough surfaces show it, and there are none",
-            count(
-                has.point_lights,
-                "light without extent",
-                "lights without extent"
-            )
-        ),
-        (Effect::PointLights, true) => format!(
-            "{}: found by shadow rays, for no path can meet them",
-            count(
-                has.point_lights,
-                "light without extent",
-                "lights without extent"
-            )
-        ),
+        (Effect::PointLights, true) => {
+            let (one, many) = ("light without extent", "lights without extent");
+            let how = match has.is_rough() {
+                true => ": found by shadow rays, for no path can meet them",
+                false => ", but only rough surfaces show it, and there are none",
+            };
+            count(has.point_lights, one, many) + how
+        }
         (Effect::PointLights, false) => "no light is a point or a direction".to_owned(),
-        (Effect::AreaLights, true) if !has.is_rough() => format!(
-            "{}: met by paths, for no surface is rough and could aim",
-            count(has.area_lights, "surface shines", "surfaces shine")
-        ),
-        (Effect::AreaLights, true) => format!(
-            "{}: aimed at, met by chance, and weighted by how likely either was",
-            count(has.area_lights, "surface shines", "surfaces shine")
-        ),
+        (Effect::AreaLights, true) => {
+            let how = match has.is_rough() {
+                true => "aimed at, met by chance, and weighted by how likely either was",
+                false => "met by paths, for no surface is rough and could aim",
+            };
+            let lights = count(has.area_lights, "surface shines", "surfaces shine");
+            format!("{lights}: {how}")
+        }
         (Effect::AreaLights, false) => "no surface shines".to_owned(),
         (Effect::Sky, true) => match has.sky {
             Sky::Image if has.is_rough() => {

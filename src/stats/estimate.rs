@@ -1,7 +1,6 @@
 //! A mean with its error, gathered one sample at a time.
 
 use serde::Serialize;
-use std::ops::{Div, Mul};
 
 /// The running mean and variance of a sequence of numbers.
 ///
@@ -43,21 +42,17 @@ impl From<(f64, f64)> for Measurement {
     }
 }
 
-/// The same in other units.
-impl Mul<f64> for Measurement {
-    type Output = Measurement;
-
-    fn mul(self, factor: f64) -> Measurement {
-        (factor * self.value, factor * self.error).into()
+impl Measurement {
+    /// The same in other units, or relative to something known.
+    #[must_use]
+    pub fn map(self, scale: impl Fn(f64) -> f64) -> Measurement {
+        (scale(self.value), scale(self.error)).into()
     }
-}
 
-/// Relative to something known.
-impl Div<f64> for Measurement {
-    type Output = Measurement;
-
-    fn div(self, whole: f64) -> Measurement {
-        (self.value / whole, self.error / whole).into()
+    /// The same in hundredths.
+    #[must_use]
+    pub fn percent(self) -> Measurement {
+        self.map(|x| 100.0 * x)
     }
 }
 

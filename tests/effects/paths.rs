@@ -159,7 +159,7 @@ fn what_an_effect_changes_is_measured_without_the_noise() {
     };
     let direct = difference(&setup(None), &setup(Some("LD?E")), 8, 12);
     // Bleeding is a fifth of all light of the box.
-    assert!((direct.share - 0.21).abs() < 0.02, "{direct:?}");
+    assert!((direct.share.value - 0.21).abs() < 0.02, "{direct:?}");
     assert!(
         direct.rel_mse.value > 20.0 * direct.rel_mse.error,
         "{direct:?}"

@@ -2,17 +2,12 @@
 
 use super::text::{sentence, time, times};
 use super::{Report, STRIPS, Shown, Stop, files_of};
+use crate::cli::page::filled;
 use crate::experiment::cost::{Priced, TARGETS};
-use minijinja::{AutoEscape, Environment, Value, context};
+use minijinja::{Value, context};
 
 /// The page as HTML; charts and pictures lie beside it.
 pub(super) fn html(report: &Report, charts: &[String]) -> Result<String, Stop> {
-    let mut environment = Environment::new();
-    environment.set_auto_escape_callback(|_| AutoEscape::Html);
-    let failure = |e: minijinja::Error| Stop::Failure(format!("the page of prices: {e:#}"));
-    environment
-        .add_template("page", include_str!("page.html"))
-        .map_err(failure)?;
     let list = &report.list;
     let [width, height] = list.size;
     let [full_width, full_height] = report.full;
@@ -42,10 +37,7 @@ pub(super) fn html(report: &Report, charts: &[String]) -> Result<String, Stop> {
         error => format!("{:.1}", 100.0 * report.error),
         left_out => report.left_out.iter().map(|(name, why)| format!("{name}: {why}")).collect::<Vec<_>>(),
     };
-    environment
-        .get_template("page")
-        .and_then(|template| template.render(page))
-        .map_err(failure)
+    filled("the page of prices", include_str!("page.html"), page)
 }
 
 fn method(report: &Report, m: &Priced) -> Value {
