@@ -1,7 +1,7 @@
 //! `halfdisk classify`.
 
 use super::answer::answer;
-use super::{Stop, stem};
+use super::{Stop, folder, reduced};
 use crate::desk::{Bar, on_ctrl_c, tell, whole};
 use crate::effects::by_class::by_class;
 use crate::effects::language::{self, Class, Finds, finds};
@@ -63,13 +63,6 @@ const REPLICATES: u32 = 4;
 /// Height of pictures nobody asked for in another size.
 const HEIGHT: u32 = 256;
 
-/// The same shape at most so high.
-fn small([width, height]: [u32; 2]) -> [u32; 2] {
-    let smaller = height.min(HEIGHT);
-    let narrower = u64::from(width) * u64::from(smaller) / u64::from(height);
-    [narrower.max(1) as u32, smaller]
-}
-
 /// A scene's light by its paths.
 #[derive(Serialize)]
 struct Sorted {
@@ -114,7 +107,9 @@ struct OfClass {
 impl Classify {
     pub(super) fn run(self) -> Result<(), Stop> {
         let scene = gallery::load(&self.scene)?;
-        let size = self.size.unwrap_or_else(|| small(scene.size));
+        let size = self
+            .size
+            .unwrap_or_else(|| reduced(scene.size, scene.size[1], HEIGHT));
         let scene = scene.sized(size);
         let Some(paths) = language::of_scene(&scene.inventory) else {
             return Err(Stop::Input(format!(
@@ -122,9 +117,7 @@ impl Classify {
                 scene.name
             )));
         };
-        let folder = self.out.clone();
-        let folder =
-            folder.unwrap_or_else(|| PathBuf::from("out/classify").join(stem(&self.scene)));
+        let folder = folder(&self.out, "classify", &self.scene);
         let strip = folder.join("strip.png");
         output::prepare(&strip, &scene)?;
 

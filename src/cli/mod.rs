@@ -135,17 +135,20 @@ fn with_ending(name: &Path, ending: &str) -> PathBuf {
     file.into()
 }
 
+/// A file and what is in it.
+type Bytes = (PathBuf, Vec<u8>);
+
 /// A chart as the files NAME.svg and NAME.png; `None` where it has nothing to show.
 fn drawn(
     name: &Path,
     svg: Result<String, ChartError>,
     png: Result<Vec<u8>, ChartError>,
-) -> Result<Option<[(PathBuf, Vec<u8>); 2]>, Stop> {
+) -> Result<Option<[Bytes; 2]>, Stop> {
     let file = |ending| with_ending(name, ending);
     match svg.and_then(|svg| Ok([svg.into_bytes(), png?])) {
         Ok([svg, png]) => Ok(Some([(file(".svg"), svg), (file(".png"), png)])),
         Err(ChartError::Empty(_)) => Ok(None),
-        Err(error) => Err(Stop::Failure(error.to_string())),
+        Err(error) => Err(error.into()),
     }
 }
 
@@ -154,6 +157,18 @@ fn drawn(
 fn stem(scene: &str) -> String {
     let stem = Path::new(scene).file_stem().unwrap_or_default();
     stem.to_string_lossy().into_owned()
+}
+
+/// Where the results of a command go: the folder that was asked for, or one named after the scene's file.
+fn folder(asked: &Option<PathBuf>, command: &str, scene: &str) -> PathBuf {
+    let usual = || Path::new("out").join(command).join(stem(scene));
+    asked.clone().unwrap_or_else(usual)
+}
+
+/// The size of a picture of the same shape that has at most `most` pixels along a side of so many.
+fn reduced(size: [u32; 2], side: u32, most: u32) -> [u32; 2] {
+    let along = |n: u32| (u64::from(n) * u64::from(most.min(side)) / u64::from(side)).max(1) as u32;
+    size.map(along)
 }
 
 /// Checks, before the work is done, that results can be written into a folder, which is made.
@@ -194,14 +209,15 @@ impl From<OutputError> for Stop {
     }
 }
 
-impl From<serde_json::Error> for Stop {
-    fn from(error: serde_json::Error) -> Self {
-        Stop::Failure(error.to_string())
-    }
+/// Errors that are no mistake of the user.
+macro_rules! failures {
+    ($($error:ty),*) => {
+        $(impl From<$error> for Stop {
+            fn from(error: $error) -> Self {
+                Stop::Failure(error.to_string())
+            }
+        })*
+    };
 }
 
-impl From<std::io::Error> for Stop {
-    fn from(error: std::io::Error) -> Self {
-        Stop::Failure(error.to_string())
-    }
-}
+failures!(ChartError, serde_json::Error, std::io::Error);

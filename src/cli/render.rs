@@ -4,7 +4,7 @@ use super::answer::{print, to_json};
 use super::demand::{Demand, bias};
 use super::left_out::LeftOut;
 use super::maps::Maps;
-use super::report::{Made, Report};
+use super::report::Report;
 use super::stop::{Ended, Ending};
 use super::{Stop, note_slow_build, stem, use_threads};
 use crate::desk::{Bar, on_ctrl_c, tell, whole};
@@ -205,7 +205,11 @@ impl Render {
         left_out.iter_mut().for_each(|l| l.bias = bias);
         let left_out = left_out.as_ref();
         let report = Report {
-            made: Made::new(&scene, &facts, rendered, path),
+            facts: &facts,
+            size: scene.size,
+            built: &scene.report,
+            made: rendered,
+            out: path.display().to_string(),
             accuracy: Ended::new(&outcome, &goal, facts.sampler, left_out),
             too_bright_pixels: self.too_bright(&scene, rendered, max_depth),
             maps,

@@ -7,18 +7,23 @@ use crate::numeric::count;
 use crate::output::Provenance;
 use crate::render::target::fewest;
 use crate::render::{BadSample, Faults, Rendered};
-use crate::scene::{Coarse, RayCounts, Scene};
+use crate::scene::{BuildReport, Coarse, RayCounts};
 use crate::stats::Measurement;
-use serde::Serialize;
+use serde::{Serialize, Serializer};
 use std::fmt::{self, Display, Formatter};
-use std::path::Path;
+use std::time::Duration;
 
 /// What happened in a render, and what was found out about its picture.
 #[derive(Serialize)]
 pub(super) struct Report<'a> {
-    #[serde(flatten)]
-    pub made: Made<'a>,
-    pub accuracy: Ended,
+    pub facts: &'a Provenance,
+    pub size: [u32; 2],
+    #[serde(flatten, with = "Built")]
+    pub built: &'a BuildReport,
+    #[serde(flatten, with = "Made")]
+    pub made: &'a Rendered,
+    pub out: String,
+    pub accuracy: Ended<'a>,
     pub too_bright_pixels: usize,
     pub maps: Vec<String>,
     /// Why there are no maps, or not all of them.
@@ -36,86 +41,81 @@ pub(super) struct Report<'a> {
     pub unmeasured: bool,
 }
 
-/// What was made of a scene.
+/// What programs are told of how a scene was built.
 #[derive(Serialize)]
-pub(super) struct Made<'a> {
-    facts: &'a Provenance,
-    size: [u32; 2],
+#[serde(remote = "BuildReport")]
+struct Built {
     shapes: usize,
     degenerate_triangles: usize,
-    build_seconds: f64,
-    seconds: f64,
-    rays: RayCounts,
-    rays_per_second: f64,
-    mean: Measurement,
-    notes: &'a [String],
+    notes: Vec<String>,
     hidden_lamps: usize,
-    coarse_shapes: usize,
-    #[serde(skip)]
+    #[serde(rename = "coarse_shapes", serialize_with = "coarse_shapes")]
     coarse: Option<Coarse>,
-    non_finite: u64,
-    faults: Faults,
-    largest_sample: f32,
-    first_non_finite: Option<BadSample>,
-    interrupted: bool,
-    /// The fewest and the most samples of a pixel.
-    #[serde(skip)]
-    samples: [u64; 2],
-    out: String,
+    #[serde(rename = "build_seconds", serialize_with = "seconds")]
+    time: Duration,
 }
 
-impl<'a> Made<'a> {
-    pub fn new(scene: &'a Scene, facts: &'a Provenance, rendered: &Rendered, path: &Path) -> Self {
-        let built = &scene.report;
-        let seconds = rendered.time.as_secs_f64();
-        let counts = || rendered.film.pixels().iter().map(|p| p.count());
-        Made {
-            facts,
-            size: scene.size,
-            shapes: built.shapes,
-            degenerate_triangles: built.degenerate_triangles,
-            build_seconds: built.time.as_secs_f64(),
-            seconds,
-            rays: rendered.rays,
-            rays_per_second: rendered.rays.total() as f64 / seconds,
-            mean: rendered.mean().into(),
-            notes: &built.notes,
-            hidden_lamps: built.hidden_lamps,
-            coarse_shapes: built.coarse.map_or(0, |c| c.shapes),
-            coarse: built.coarse,
-            non_finite: rendered.non_finite,
-            faults: rendered.faults,
-            largest_sample: rendered.largest,
-            first_non_finite: rendered.first_bad,
-            interrupted: rendered.interrupted,
-            samples: [counts().min(), counts().max()].map(Option::unwrap_or_default),
-            out: path.display().to_string(),
-        }
-    }
+/// What programs are told of how a picture was made.
+#[derive(Serialize)]
+#[serde(remote = "Rendered")]
+struct Made {
+    rays: RayCounts,
+    #[serde(rename = "seconds", serialize_with = "seconds")]
+    time: Duration,
+    #[serde(getter = "rays_per_second")]
+    rays_per_second: f64,
+    #[serde(getter = "mean")]
+    mean: Measurement,
+    non_finite: u64,
+    faults: Faults,
+    #[serde(rename = "largest_sample")]
+    largest: f32,
+    #[serde(rename = "first_non_finite")]
+    first_bad: Option<BadSample>,
+    interrupted: bool,
+}
 
+fn seconds<S: Serializer>(time: &Duration, serializer: S) -> Result<S::Ok, S::Error> {
+    time.as_secs_f64().serialize(serializer)
+}
+
+fn coarse_shapes<S: Serializer>(coarse: &Option<Coarse>, serializer: S) -> Result<S::Ok, S::Error> {
+    coarse.map_or(0, |c| c.shapes).serialize(serializer)
+}
+
+fn rays_per_second(made: &Rendered) -> f64 {
+    made.rays.total() as f64 / made.time.as_secs_f64()
+}
+
+fn mean(made: &Rendered) -> Measurement {
+    made.mean().into()
+}
+
+impl Report<'_> {
     /// What is odd about the scene.
     fn scene(&self, f: &mut Formatter) -> fmt::Result {
-        if self.degenerate_triangles > 0 {
+        let built = self.built;
+        if built.degenerate_triangles > 0 {
             let (one, many) = ("triangle without area was", "triangles without area were");
-            let what = count(self.degenerate_triangles, one, many);
+            let what = count(built.degenerate_triangles, one, many);
             writeln!(f, "note: {what} left out")?;
         }
-        for note in self.notes {
+        for note in &built.notes {
             writeln!(f, "note: {note}")?;
         }
-        if self.hidden_lamps > 0 {
-            let were = if self.hidden_lamps == 1 {
+        if built.hidden_lamps > 0 {
+            let were = if built.hidden_lamps == 1 {
                 "was"
             } else {
                 "were"
             };
-            let lamps = count(self.hidden_lamps, "lamp", "lamps");
+            let lamps = count(built.hidden_lamps, "lamp", "lamps");
             writeln!(
                 f,
                 "note: {lamps} in the very place of an earlier one {were} left out"
             )?;
         }
-        if let Some(Coarse { shapes, step }) = self.coarse {
+        if let Some(Coarse { shapes, step }) = built.coarse {
             let what = count(shapes, "shape is", "shapes are");
             writeln!(
                 f,
@@ -126,28 +126,21 @@ impl<'a> Made<'a> {
         Ok(())
     }
 
-    /// What is odd about the samples.
-    fn samples(&self, f: &mut Formatter) -> fmt::Result {
-        if let Some(BadSample { sample, x, y }) = self.first_non_finite {
+    /// What is odd about the picture.
+    fn picture(&self, f: &mut Formatter) -> fmt::Result {
+        let made = self.made;
+        if let Some(BadSample { sample, x, y }) = made.first_bad {
             let Faults {
                 nan,
                 infinite,
                 negative,
-            } = self.faults;
+            } = made.faults;
             writeln!(
                 f,
                 "warning: samples that no light brings: {nan} not a number and {infinite} infinite, \
                  which are in no mean, {negative} negative; the first is sample {sample} of pixel {x},{y}"
             )?;
         }
-        Ok(())
-    }
-}
-
-impl Report<'_> {
-    /// What is odd about the picture.
-    fn picture(&self, f: &mut Formatter) -> fmt::Result {
-        self.made.samples(f)?;
         if self.too_bright_pixels > 0 {
             let what = count(self.too_bright_pixels, "pixel is", "pixels are");
             writeln!(
@@ -155,8 +148,9 @@ impl Report<'_> {
                 "warning: {what} brighter than the scene's lights and albedos allow"
             )?;
         }
-        if self.made.interrupted {
-            let [least, most] = self.made.samples;
+        if made.interrupted {
+            let counts = || made.film.pixels().iter().map(|p| p.count());
+            let [least, most] = [counts().min(), counts().max()].map(Option::unwrap_or_default);
             writeln!(
                 f,
                 "interrupted: the picture has {least} to {most} samples per pixel"
@@ -181,10 +175,9 @@ impl Report<'_> {
 
 impl Display for Report<'_> {
     fn fmt(&self, f: &mut Formatter) -> fmt::Result {
-        let made = &self.made;
-        let ([w, h], name) = (made.size, &made.facts.scene);
-        let shapes = count(made.shapes, "shape", "shapes");
-        let (built, seconds) = (made.build_seconds, made.seconds);
+        let ([w, h], name) = (self.size, &self.facts.scene);
+        let shapes = count(self.built.shapes, "shape", "shapes");
+        let [built, seconds] = [self.built.time, self.made.time].map(|t| t.as_secs_f64());
         writeln!(
             f,
             "{name}: {w} x {h}, {shapes}, built in {built:.3} s, rendered in {seconds:.3} s"
@@ -193,26 +186,26 @@ impl Display for Report<'_> {
             camera,
             secondary,
             shadow,
-        } = made.rays;
-        let speed = made.rays_per_second / 1e6;
+        } = self.made.rays;
+        let speed = rays_per_second(self.made) / 1e6;
         writeln!(
             f,
             "rays: {camera} camera, {secondary} secondary, {shadow} shadow; {speed:.2} million per second"
         )?;
-        let Measurement { value, error } = made.mean;
+        let Measurement { value, error } = mean(self.made);
         write!(f, "mean of the picture: {value:.6}")?;
-        let reached = &self.accuracy.reached;
+        let reached = &self.accuracy.outcome.reached;
         if !error.is_finite() {
             writeln!(f, " (error not known)")?;
         } else if reached.error.is_infinite() {
             writeln!(f, " ± {error:.1e} of rounding; no noise was seen")?;
-        } else if reached.spp < fewest(made.facts.sampler) {
+        } else if reached.spp < fewest(self.facts.sampler) {
             let why = "since few samples that lie evenly only bound their error";
             writeln!(f, " ± at most {error:.1e}, {why}")?;
         } else {
             writeln!(f, " ± {error:.1e}")?;
         }
-        made.scene(f)?;
+        self.scene(f)?;
         self.picture(f)?;
         self.accuracy.fmt(f)?;
         if let Some(why) = &self.black {
@@ -224,7 +217,7 @@ impl Display for Report<'_> {
             let what = "the picture is complete, but what it lacks was not measured";
             writeln!(f, "interrupted: {what}")?;
         }
-        write!(f, "wrote {}", made.out)?;
+        write!(f, "wrote {}", self.out)?;
         let mut maps = self.maps.iter();
         maps.try_for_each(|map| write!(f, "\nwrote {map}"))?;
         let mut no_maps = self.no_maps.iter();

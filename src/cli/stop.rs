@@ -103,51 +103,41 @@ impl Ending {
 
 /// How accurate a picture is, and why its render ended.
 #[derive(Serialize)]
-pub(super) struct Ended {
+pub(super) struct Ended<'a> {
     target: Option<f64>,
     tolerance: Option<f64>,
     quantile: Option<f64>,
     time: Option<f64>,
-    prediction: Option<Prediction>,
-    pub reached: Reached,
+    #[serde(flatten, with = "Told")]
+    pub outcome: &'a Outcome,
     error_is_a_bound: bool,
-    stopped_by: StoppedBy,
-    extensions: u32,
     top_share: Option<f64>,
-    /// Why the error is not known, if it is not.
+    /// What the picture lacks.
     #[serde(skip)]
-    why_unknown: &'static str,
-    #[serde(skip)]
-    pixels: usize,
-    #[serde(skip)]
-    is_pilot: bool,
-    /// The integrator, where it cannot find all that is wanted.
-    #[serde(skip)]
-    finder: Option<&'static str>,
-    /// What is not in the error.
-    #[serde(skip)]
-    unknown: Option<String>,
+    left_out: Option<&'a LeftOut>,
 }
 
-impl Ended {
+/// What programs are told of how a render ended.
+#[derive(Serialize)]
+#[serde(remote = "Outcome")]
+struct Told {
+    prediction: Option<Prediction>,
+    reached: Reached,
+    stopped_by: StoppedBy,
+    extensions: u32,
+}
+
+impl<'a> Ended<'a> {
     pub fn new(
-        outcome: &Outcome,
+        outcome: &'a Outcome,
         goal: &Goal,
         sampler: Sampler,
-        left_out: Option<&LeftOut>,
+        left_out: Option<&'a LeftOut>,
     ) -> Self {
-        let Outcome {
-            rendered,
-            prediction,
-            reached,
-            ..
-        } = outcome;
-        let film = &rendered.film;
-        let accuracy = Accuracy::of(film);
+        let accuracy = Accuracy::of(&outcome.rendered.film);
         let noise = accuracy.error(Measure::RootMeanSquare);
-        let has_noise = noise.is_finite() && noise > rounding(&rendered.rays);
-        let least = film.pixels().iter().map(|p| p.count()).min().unwrap_or(0);
-        let has_pilot = prediction.is_some_and(|said| said.separate);
+        let has_noise = noise.is_finite() && noise > rounding(&outcome.rendered.rays);
+        let has_pilot = outcome.prediction.is_some_and(|said| said.separate);
         Ended {
             target: goal.error,
             tolerance: goal.error.map(|_| TOLERANCE),
@@ -156,46 +146,29 @@ impl Ended {
                 Measure::Quantile(share) => Some(share),
             },
             time: goal.time.map(|t| t.as_secs_f64()),
-            prediction: *prediction,
-            reached: *reached,
-            error_is_a_bound: !has_pilot && reached.spp < fewest(sampler),
-            stopped_by: outcome.stopped_by,
-            extensions: outcome.extensions,
+            outcome,
+            error_is_a_bound: !has_pilot && outcome.reached.spp < fewest(sampler),
             top_share: has_noise.then(|| accuracy.top_share()),
-            why_unknown: match least {
-                0 => "some pixels have no sample",
-                1 => "one sample has no spread",
-                _ if film.max() == 0.0 => "no sample found light",
-                _ => {
-                    "all samples of each pixel are alike: they are exact, or what differs is too rare \
-                     to have been met"
-                }
-            },
-            pixels: film.pixels().len(),
-            is_pilot: outcome.is_pilot,
-            finder: left_out.and_then(LeftOut::finder),
-            unknown: left_out.and_then(LeftOut::unknown),
+            left_out,
         }
     }
 
     /// Why it ended, where something but its samples should end it.
     fn end(&self) -> String {
-        let why = match self.stopped_by {
+        let why = match self.outcome.stopped_by {
             StoppedBy::Error => {
-                let but = self
-                    .unknown
-                    .as_ref()
-                    .map(|unknown| format!(", but {unknown}"));
+                let unknown = self.left_out.and_then(LeftOut::unknown);
+                let but = unknown.map(|unknown| format!(", but {unknown}"));
                 let (tolerance, but) = (percent(TOLERANCE), but.unwrap_or_default());
                 return format!("\nended at its target (to within {tolerance} of it){but}");
             }
             StoppedBy::Time => "ended with its time",
             StoppedBy::Samples => "ended above its target, with the most samples it may take",
-            StoppedBy::NoNoise if self.reached.error.is_finite() => {
+            StoppedBy::NoNoise if self.outcome.reached.error.is_finite() => {
                 "ended above its target: what is left of the error is rounding"
             }
             StoppedBy::NoNoise => "ended without an error to compare with its target",
-            StoppedBy::Interrupt if self.is_pilot => {
+            StoppedBy::Interrupt if self.outcome.is_pilot => {
                 "the picture is the pilot's, which has a seed of its own"
             }
             StoppedBy::Interrupt => return String::new(),
@@ -205,8 +178,19 @@ impl Ended {
 
     /// The error of the picture.
     fn error(&self) -> String {
-        if self.reached.error.is_infinite() {
-            return format!("error: not known ({})", self.why_unknown);
+        let Reached { error, .. } = self.outcome.reached;
+        if error.is_infinite() {
+            let film = &self.outcome.rendered.film;
+            let why = match film.pixels().iter().map(|p| p.count()).min().unwrap_or(0) {
+                0 => "some pixels have no sample",
+                1 => "one sample has no spread",
+                _ if film.max() == 0.0 => "no sample found light",
+                _ => {
+                    "all samples of each pixel are alike: they are exact, or what differs is too rare \
+                     to have been met"
+                }
+            };
+            return format!("error: not known ({why})");
         }
         let bound = if self.error_is_a_bound {
             "at most "
@@ -216,19 +200,21 @@ impl Ended {
         let of = self.quantile.map_or_else(String::new, |share| {
             format!(" or less in {} of the pixels", percent(share))
         });
-        format!("error: {bound}{}{of}", percent(self.reached.error))
+        format!("error: {bound}{}{of}", percent(error))
     }
 
     /// Samples and seconds beside those that were predicted.
     fn samples(&self) -> String {
-        let Reached { spp, .. } = self.reached;
+        let Reached {
+            spp, seconds: gone, ..
+        } = self.outcome.reached;
         let mut samples = format!("samples per pixel: {spp}");
-        let mut time = format!("time: {}", seconds(self.reached.seconds));
-        if let Some(said) = &self.prediction {
+        let mut time = format!("time: {}", seconds(gone));
+        if let Some(said) = &self.outcome.prediction {
             samples += &format!(", predicted {}", said.spp);
             time += &format!(", predicted {}", seconds(said.seconds));
         }
-        let again = match self.stopped_by {
+        let again = match self.outcome.stopped_by {
             StoppedBy::Interrupt => String::new(),
             _ => format!("; the same picture comes by --spp {spp}"),
         };
@@ -236,24 +222,29 @@ impl Ended {
     }
 }
 
-impl Display for Ended {
+impl Display for Ended<'_> {
     fn fmt(&self, f: &mut Formatter) -> fmt::Result {
         let has_goal = self.target.is_some() || self.time.is_some();
         f.write_str(&self.error())?;
-        if let Some(name) = self.finder.filter(|_| self.reached.error.is_finite()) {
+        let finder = self.left_out.and_then(LeftOut::finder);
+        if let Some(name) = finder.filter(|_| self.outcome.reached.error.is_finite()) {
             write!(f, " of the light that {name} finds")?;
         }
         if let Some(target) = self.target {
             write!(f, ", target {}", percent(target))?;
         }
-        if let Some(said) = self.prediction.filter(|said| said.error.is_finite()) {
+        if let Some(said) = self
+            .outcome
+            .prediction
+            .filter(|said| said.error.is_finite())
+        {
             write!(f, "; predicted {}", percent(said.error))?;
         }
         if has_goal {
             f.write_str(&self.samples())?;
         }
         if let Some(top) = self.top_share {
-            let worst = match self.pixels {
+            let worst = match self.outcome.rendered.film.pixels().len() {
                 0..=1000 => "worst pixel has",
                 _ => "worst 0.1 % of the pixels have",
             };
@@ -263,7 +254,7 @@ impl Display for Ended {
         if has_goal {
             f.write_str(&self.end())?;
         }
-        let times = match self.extensions {
+        let times = match self.outcome.extensions {
             0 => return writeln!(f),
             1 => "once".to_owned(),
             2 => "twice".to_owned(),

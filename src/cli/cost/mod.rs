@@ -5,7 +5,9 @@ mod text;
 
 use super::answer::{answer, to_json};
 use super::render::size;
-use super::{Stop, check_folder, drawn, note_slow_build, save, stem, use_threads};
+use super::{
+    Bytes, Stop, check_folder, drawn, folder, note_slow_build, reduced, save, use_threads,
+};
 use crate::desk::{Bar, on_ctrl_c, tell, whole};
 use crate::experiment::cost::strip::{Shown, affordable, needed, show};
 use crate::experiment::cost::{
@@ -84,6 +86,11 @@ fn budget(text: &str) -> Result<f64, String> {
         Ok(seconds) if (1.0..=1e6).contains(&seconds) => Ok(seconds),
         _ => Err("a time is a number of seconds from 1 to a million".to_owned()),
     }
+}
+
+/// A size for the measurement, where nobody says otherwise.
+fn small(full: [u32; 2]) -> [u32; 2] {
+    reduced(full, full[0].max(full[1]), SIDE)
 }
 
 /// Names of methods that cannot render a scene, and why.
@@ -175,8 +182,7 @@ impl Cost {
 
     /// The folder of the results, if nothing there that the scene needs would be replaced.
     fn folder(&self, scene: &Scene, methods: &[Method]) -> Result<PathBuf, Stop> {
-        let folder = self.out.clone();
-        let folder = folder.unwrap_or_else(|| PathBuf::from("out/cost").join(stem(&self.scene)));
+        let folder = folder(&self.out, "cost", &self.scene);
         check_folder(&folder)?;
         let charts = ["seconds.png", "rays.png"].map(str::to_owned);
         let names = || methods.iter().map(|method| method.name);
@@ -250,7 +256,7 @@ impl Cost {
 
     /// Writes page, charts, pictures and numbers.
     fn write(&self, scene: &Scene, report: &Report, folder: &Path) -> Result<(), Stop> {
-        let mut files: Vec<(PathBuf, Vec<u8>)> = vec![
+        let mut files: Vec<Bytes> = vec![
             (
                 folder.join("cost.csv"),
                 text::csv(&report.list).into_bytes(),
@@ -297,15 +303,6 @@ fn common_error(list: &PriceList) -> f64 {
     let base = list.find(BASE).or(unbiased().next());
     let second = base.and_then(|m| m.sizes.iter().rev().nth(1));
     second.map_or(worst, |size| size.error.max(0.25 * worst))
-}
-
-/// The same shape with at most [`SIDE`] pixels to a side.
-fn small(full: [u32; 2]) -> [u32; 2] {
-    let longest = full[0].max(full[1]);
-    match longest > SIDE {
-        true => full.map(|n| (u64::from(n) * u64::from(SIDE) / u64::from(longest)).max(1) as u32),
-        false => full,
-    }
 }
 
 #[cfg(test)]
