@@ -1,4 +1,4 @@
-//! How a result leaves the program: as text for people, or as JSON.
+//! The one place that decides how a command prints its result: as text, or as JSON.
 
 use super::Stop;
 use crate::desk;
@@ -13,7 +13,7 @@ pub(super) fn answer(result: &(impl Serialize + Display), json: bool) -> Result<
     })
 }
 
-/// A result as JSON, its keys in the order of the alphabet. What is not finite is null.
+/// A result as JSON, with its keys in alphabetical order. A number that is not finite becomes null.
 pub(super) fn to_json(result: &impl Serialize) -> Result<String, Stop> {
     let value = serde_json::to_value(result)?;
     Ok(serde_json::to_string_pretty(&value)? + "\n")
@@ -24,7 +24,7 @@ pub(super) fn print(text: &str) -> Result<(), Stop> {
     desk::answer(text).map_err(|e| Stop::Failure(format!("stdout: {e}")))
 }
 
-/// Several results, one after the other.
+/// A list of results: an array in JSON, one after the other in text.
 #[derive(Serialize)]
 pub(super) struct List<T>(pub Vec<T>);
 

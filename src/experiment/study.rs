@@ -1,8 +1,8 @@
 //! A study: the same experiment at several sizes, many times, each run with random numbers of its own.
 //!
-//! Points of one run that goes on and on are correlated, and intervals drawn from them are too narrow. So runs
-//! share no random number, neither from one replicate to the next nor from one size to the next, and what a
-//! study says comes with the error that leaving out one replicate after the other tells.
+//! The points of one run that goes on and on are correlated, and an interval through them is too narrow. So
+//! no two runs of a study share a random number, neither within a size nor from one size to the next.
+//! Intervals come from leaving out one replicate after the other (see [`jackknife`](crate::stats::jackknife)).
 
 use crate::stats::Estimate;
 use crate::stats::price::Paid;
@@ -18,13 +18,13 @@ pub struct Study<R> {
 }
 
 impl<R> Study<R> {
-    /// A value of the runs of one size, such as their squared error.
+    /// The mean over replicates of a value at one size, such as the squared error.
     pub fn at(&self, size: usize, value: impl Fn(&R) -> f64) -> Estimate {
         self.runs.iter().map(|row| value(&row[size])).collect()
     }
 
-    /// The slope of the error against what runs cost, on logarithmic axes. The cost is told from the samples and
-    /// the run.
+    /// The line of error against cost on logarithmic axes, from the squared error of each run and from its
+    /// cost, which may depend on the samples of its size.
     pub fn fit(
         &self,
         cost: impl Fn(u32, &R) -> f64,
@@ -46,24 +46,24 @@ impl<R> Study<R> {
         slope::fit(&costs, &squares)
     }
 
-    /// Squared error and cost of the largest runs, from which [`ratio`](crate::stats::price::ratio) says how many
-    /// times the cost one method needs for the error of another.
+    /// Squared error and cost of the largest run of each replicate: what
+    /// [`price::ratio`](crate::stats::price::ratio) compares two methods by.
     pub fn largest(&self, square: impl Fn(&R) -> f64, cost: impl Fn(&R) -> f64) -> Vec<Paid> {
         let last = self.runs.iter().filter_map(|row| row.last());
         last.map(|run| [square(run), cost(run)]).collect()
     }
 }
 
-/// The seed of one run: distinct for distinct runs of a study, and far from those of a study with the seed next to
-/// its own.
+/// The seed of one run, different for each replicate and place in a study. A place tells the size, and what
+/// else runs differ in; it has at most 32 bits.
 pub fn seed_of(seed: u64, replicate: u32, place: u64) -> u64 {
-    // An odd factor is a bijection.
+    // An odd factor is a bijection; neighbouring seeds of a study stay far apart.
     seed.wrapping_mul(0x9e37_79b9_7f4a_7c15)
         .wrapping_add(place << 32 | u64::from(replicate))
 }
 
-/// In which order things take turns: forwards, backwards, and a place further on every second round, so that what
-/// else a machine does is shared fairly.
+/// The order in which `count` things run in a round: forwards, then backwards, and one place further on every
+/// second round, so that whatever else slows the machine slows all of them alike.
 pub fn order(round: u32, count: usize) -> Vec<usize> {
     let shift = round as usize / 2;
     let mut order: Vec<usize> = (0..count).map(|i| (i + shift) % count).collect();
