@@ -88,7 +88,11 @@ impl Instance {
     /// different that roundings do not carry over, or the shape does not fit into finite numbers.
     pub fn new(shape: Arc<dyn InstancedShape>, linear: DMat3, shift: DVec3) -> Option<Self> {
         let inverse = linear.inverse();
-        let size = |m: DMat3| m.to_cols_array().iter().fold(0.0, |a: f64, x| a.max(x.abs()));
+        let size = |m: DMat3| {
+            m.to_cols_array()
+                .iter()
+                .fold(0.0, |a: f64, x| a.max(x.abs()))
+        };
         let condition = size(linear) * size(inverse);
         // A NaN of a singular matrix is not below either.
         let well = condition <= WORST_CONDITION;
@@ -101,7 +105,13 @@ impl Instance {
             bounds: Aabb::EMPTY,
         };
         let corners = (0..8).map(|i| {
-            let side = |axis: usize| if i >> axis & 1 == 0 { min[axis] } else { max[axis] };
+            let side = |axis: usize| {
+                if i >> axis & 1 == 0 {
+                    min[axis]
+                } else {
+                    max[axis]
+                }
+            };
             let corner = Vec3::new(side(0), side(1), side(2));
             let p = instance.point(corner);
             let error = instance.error(corner, corner.abs() * gamma(6), p);
@@ -117,7 +127,11 @@ impl Instance {
     /// A triangle of the shape's own space in the world, each corner rounded once. Where the transformation
     /// mirrors, second and third corner change places, so that fronts stay fronts.
     pub fn placed(&self, t: &Triangle) -> Triangle {
-        let (b, c) = if self.mirrors() { (t.c, t.b) } else { (t.b, t.c) };
+        let (b, c) = if self.mirrors() {
+            (t.c, t.b)
+        } else {
+            (t.b, t.c)
+        };
         Triangle {
             a: self.point(t.a),
             b: self.point(b),

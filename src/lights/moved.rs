@@ -25,9 +25,7 @@ impl Light {
             | Light::Directional(_)
             | Light::Environment(_)
             | Light::Sky(_)
-            | Light::Custom(_) => {
-                self.sample(from, pick, u)
-            }
+            | Light::Custom(_) => self.sample(from, pick, u),
         }
     }
 

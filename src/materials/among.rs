@@ -102,15 +102,15 @@ mod tests {
     use super::*;
     use crate::materials::{Glass, Glossy, Lambert};
 
-    fn diffuse(bsdf: &Bsdf) -> Among<'_, { kinds::DIFFUSE }> {
+    fn diffuse<'a>(bsdf: &'a Bsdf<'a>) -> Among<'a, { kinds::DIFFUSE }> {
         Among(bsdf)
     }
 
-    fn gloss(bsdf: &Bsdf) -> Among<'_, { kinds::GLOSS }> {
+    fn gloss<'a>(bsdf: &'a Bsdf<'a>) -> Among<'a, { kinds::GLOSS }> {
         Among(bsdf)
     }
 
-    fn specular(bsdf: &Bsdf) -> Among<'_, { kinds::SPECULAR }> {
+    fn specular<'a>(bsdf: &'a Bsdf<'a>) -> Among<'a, { kinds::SPECULAR }> {
         Among(bsdf)
     }
 

@@ -228,7 +228,8 @@ impl Parts<'_> {
             check(!alone, what)?;
             let instance = self.custom(shape, &place)?;
             self.push_instance((instance, None), material, mapping);
-        } else if !alone && let Some((instance, mesh, mapping)) = self.instance(&said.shape, &place) {
+        } else if !alone && let Some((instance, mesh, mapping)) = self.instance(&said.shape, &place)
+        {
             self.push_instance((instance, Some(mesh)), material, mapping);
         } else {
             self.push(shapes, material, emission, way.span, &mapping);

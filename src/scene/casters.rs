@@ -2,8 +2,8 @@
 
 use super::Object;
 use super::ball::{Ball, Sight};
-use super::motion::PlacedInstance;
 use super::images::{Image, LampInBall, Way};
+use super::motion::PlacedInstance;
 use crate::geometry::Shape;
 use crate::materials::{Bsdf, Material};
 use crate::sampling::{frame::Frame, warps};

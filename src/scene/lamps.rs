@@ -10,8 +10,8 @@ use super::{Mapping, Object};
 use crate::color::Rgb;
 use crate::geometry::{Instance, Shape, SharedMesh};
 use crate::lights::{
-    DirectionalLight, EnvironmentLight, Light, MeshLight, PlacedLight, PointLight, QuadLight, SphereLight,
-    TriangleLight,
+    DirectionalLight, EnvironmentLight, Light, MeshLight, PlacedLight, PointLight, QuadLight,
+    SphereLight, TriangleLight,
 };
 use crate::materials::{Color, Material};
 use glam::Vec3;

@@ -39,7 +39,10 @@ fn an_instance_is_met_where_copies_of_its_triangles_are() {
         let mesh = mesh(&mut draw);
         let (linear, shift) = place(&mut draw, 10.0);
         let instance = Instance::new(mesh.clone(), linear, shift).expect("well-conditioned");
-        let copies = mesh.triangles().iter().map(|t| Shape::Triangle(instance.placed(t)));
+        let copies = mesh
+            .triangles()
+            .iter()
+            .map(|t| Shape::Triangle(instance.placed(t)));
         let copies: Vec<Shape> = copies.collect();
         let copies = Bvh::new(&copies);
         let instances = Bvh::new(&[Transformed::Instance(instance.clone())]);

@@ -1,6 +1,8 @@
 //! Triangles, alone and in meshes.
 
-use crate::geometry::{Aabb, DEFAULT_UVS, Instance, InstancedShape, Mesh, Primitive, Shape, SharedMesh, Triangle};
+use crate::geometry::{
+    Aabb, DEFAULT_UVS, Instance, InstancedShape, Mesh, Primitive, Shape, SharedMesh, Triangle,
+};
 use crate::scene::contacts::NEAR;
 use crate::scene::description as said;
 use crate::scene::field::{Checked, Problem, check};
@@ -155,7 +157,9 @@ impl Parts<'_> {
             let Aabb { min, max } = placed.instance.bounds();
             let (min, max) = (min - Vec3::splat(near), max + Vec3::splat(near));
             placed.mesh.is_some()
-                && lamps.iter().any(|lamp| min.cmple(lamp.max).all() && lamp.min.cmple(max).all())
+                && lamps
+                    .iter()
+                    .any(|lamp| min.cmple(lamp.max).all() && lamp.min.cmple(max).all())
         };
         let (close, apart) = self.instances.drain(..).partition(touches);
         self.instances = apart;
