@@ -35,6 +35,7 @@ mod six_integrals;
 mod stopping;
 mod table;
 mod target;
+mod textures;
 mod tidy;
 mod truth;
 mod twins;

@@ -2,6 +2,7 @@
 
 use crate::cli::SCENE;
 use crate::cli::meshes::{Ply, TETRAHEDRON, scene};
+use crate::cli::textured_meshes::textured;
 use halfdisk::integrators::Whitted;
 use halfdisk::render::{Options, render};
 use halfdisk::scene::description::Shape;
@@ -156,17 +157,20 @@ proptest! {
     }
 
     #[test]
-    fn meshes(kind in 0..4_usize, changes in prop::collection::vec(change(), 1..4)) {
+    fn meshes(kind in 0..7_usize, changes in prop::collection::vec(change(), 1..4)) {
         load_mesh(kind, &changes);
     }
 }
 
-/// Loads a scene with a tetrahedron from a file of some kind, changed.
+/// Loads a scene with a tetrahedron or a textured square from a file of some kind, changed.
 fn load_mesh(kind: usize, changes: &[Change]) -> Option<Scene> {
     let (name, mut bytes) = match kind {
         0 => ("m.ply", TETRAHEDRON.ply(Ply::Ascii)),
         1 => ("m.ply", TETRAHEDRON.ply(Ply::Little)),
         2 => ("m.ply", TETRAHEDRON.ply(Ply::Big)),
+        3 => ("m.ply", textured(Ply::Ascii)),
+        4 => ("m.ply", textured(Ply::Little)),
+        5 => ("m.ply", textured(Ply::Big)),
         _ => ("m.obj", TETRAHEDRON.obj(|i| format!("{}/1/1", i + 1))),
     };
     changes.iter().for_each(|c| apply(&mut bytes, c));
@@ -262,7 +266,7 @@ fn long_a_million_scene_files() {
 #[ignore = "takes minutes: ask for it by name"]
 fn long_a_hundred_thousand_mesh_files() {
     let loaded = std::cell::Cell::new(0);
-    let changes = (0..4_usize, prop::collection::vec(change(), 1..6));
+    let changes = (0..7_usize, prop::collection::vec(change(), 1..6));
     let said = many(100_000, changes, |(kind, changes)| {
         loaded.set(loaded.get() + usize::from(load_mesh(kind, &changes).is_some()));
     });

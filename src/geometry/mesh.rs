@@ -1,7 +1,10 @@
 //! A mesh: corners shared by triangles.
 
 use super::Triangle;
-use glam::{DVec3, Vec3};
+use glam::{DVec3, Vec2, Vec3};
+
+/// Texture coordinates of the corners of a triangle that has none of its own, as in PBRT.
+pub const DEFAULT_UVS: [Vec2; 3] = [Vec2::ZERO, Vec2::X, Vec2::ONE];
 
 /// A triangle mesh as a file or a formula gives it.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -10,15 +13,9 @@ pub struct Mesh {
     pub vertices: Vec<DVec3>,
     /// Three vertex indices for each triangle, counter-clockwise seen from the front.
     pub triangles: Vec<[u32; 3]>,
-}
-
-/// How many triangles of a mesh were kept and how many had no area.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub struct TriangleCount {
-    /// Triangles that can be hit.
-    pub kept: usize,
-    /// Triangles left out because their corners are collinear, equal or not finite.
-    pub degenerate: usize,
+    /// Texture coordinates of each triangle's corners, in step with `triangles`; empty where the mesh
+    /// has none. They are not the vertices' own, for a vertex on a seam has several.
+    pub uvs: Vec<[Vec2; 3]>,
 }
 
 impl Mesh {
@@ -31,24 +28,28 @@ impl Mesh {
         })
     }
 
-    /// The proper triangles with `place` applied to each corner, and how many there were.
+    /// Texture coordinates of a triangle's corners: [`DEFAULT_UVS`] where the mesh has none.
+    pub fn uv(&self, triangle: usize) -> [Vec2; 3] {
+        self.uvs.get(triangle).copied().unwrap_or(DEFAULT_UVS)
+    }
+
+    /// Turns each triangle over: its front is where its back was.
+    pub fn turn_over(&mut self) {
+        self.triangles.iter_mut().for_each(|t| t.swap(1, 2));
+        self.uvs.iter_mut().for_each(|uvs| uvs.swap(1, 2));
+    }
+
+    /// The proper triangles with `place` applied to each corner, each with its index in the mesh.
     ///
-    /// Degenerate triangles have no normal: the plain watertight test reports hits on 16 % of
-    /// random collinear ones, with a NaN normal. They are counted, not kept. Corners that do not
-    /// exist must have been refused before ([`Mesh::bad_index`]).
-    pub fn to_triangles(&self, place: impl Fn(DVec3) -> Vec3) -> (Vec<Triangle>, TriangleCount) {
+    /// Degenerate triangles, whose corners are collinear, equal or not finite, are left out, for they
+    /// have no normal: the plain watertight test reports hits on 16 % of random collinear ones, with a
+    /// NaN normal. Corners that do not exist must have been refused before ([`Mesh::bad_index`]).
+    pub fn to_triangles(&self, place: impl Fn(DVec3) -> Vec3) -> Vec<(usize, Triangle)> {
         let corners: Vec<Vec3> = self.vertices.iter().copied().map(place).collect();
-        let kept: Vec<Triangle> = self
-            .triangles
-            .iter()
-            .map(|t| t.map(|i| corners[i as usize]))
-            .map(|[a, b, c]| Triangle { a, b, c })
-            .filter(Triangle::is_proper)
-            .collect();
-        let count = TriangleCount {
-            kept: kept.len(),
-            degenerate: self.triangles.len() - kept.len(),
-        };
-        (kept, count)
+        let triangles = self.triangles.iter().enumerate().map(|(at, t)| {
+            let [a, b, c] = t.map(|i| corners[i as usize]);
+            (at, Triangle { a, b, c })
+        });
+        triangles.filter(|(_, t)| t.is_proper()).collect()
     }
 }

@@ -6,6 +6,7 @@
 
 mod aabb;
 mod bvh;
+mod instance;
 mod mesh;
 mod moving;
 mod polygon;
@@ -13,17 +14,20 @@ mod quad;
 mod ray;
 mod sphere;
 mod surface;
+mod transformed;
 mod triangle;
 
 pub use aabb::Aabb;
 pub use bvh::{Bvh, Found, brute_force};
-pub use mesh::{Mesh, TriangleCount};
+pub use instance::{Instance, InstancedShape, SharedMesh};
+pub use mesh::{DEFAULT_UVS, Mesh};
 pub use moving::Moving;
 pub use polygon::{Polygons, Triangulation};
 pub use quad::Quad;
 pub use ray::{PreparedRay, Ray};
 pub use sphere::Sphere;
 pub use surface::Surface;
+pub use transformed::Transformed;
 pub use triangle::Triangle;
 
 use glam::{DVec3, Vec3};
@@ -37,6 +41,15 @@ pub struct Crossing {
     pub u: f32,
     /// Barycentric weight of a triangle's third corner, or the quad's coordinate along its `v`.
     pub v: f32,
+    /// The number of a triangle in a mesh that is one of the tree's shapes; 0 for all others.
+    pub part: u32,
+}
+
+impl Crossing {
+    /// An intersection with a shape of one part.
+    pub fn new(t: f32, u: f32, v: f32) -> Self {
+        Crossing { t, u, v, part: 0 }
+    }
 }
 
 /// Everything a ray can hit. To add a shape: a file, a variant, and follow the compiler.

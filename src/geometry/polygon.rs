@@ -1,19 +1,30 @@
 //! Polygons, split into triangles.
 
-use super::Mesh;
+#[cfg(test)]
+mod tests;
+
+use super::{DEFAULT_UVS, Mesh};
 use earcut::Earcut;
-use glam::{DVec2, DVec3, Vec2Swizzles};
+use glam::{DVec2, DVec3, Vec2, Vec2Swizzles};
+use std::ops::Range;
 
 /// Polygons whose corners are indices into `vertices`, as files give them.
 #[derive(Clone, Debug, Default)]
 pub struct Polygons {
     /// Corner positions.
     pub vertices: Vec<DVec3>,
+    /// Texture coordinates, which corners share as they share vertices.
+    pub uvs: Vec<Vec2>,
     /// The corners of all polygons, one polygon after the other.
     corners: Vec<u32>,
+    /// The index in `uvs` of each corner, or [`NO_UV`]; it ends with the last corner that has one.
+    uv_corners: Vec<u32>,
     /// Where in `corners` each polygon ends.
     ends: Vec<usize>,
 }
+
+/// In place of the index of a corner's texture coordinates.
+const NO_UV: u32 = u32::MAX;
 
 /// The triangles of some polygons, and what was found on the way.
 #[derive(Clone, Debug, Default)]
@@ -24,12 +35,21 @@ pub struct Triangulation {
     pub without_area: usize,
     /// Polygons whose edges cross each other, so that no set of triangles is theirs.
     pub crossing: usize,
+    /// Polygons without texture coordinates at some corner, where others have them at all.
+    pub without_uvs: usize,
 }
 
 impl Polygons {
-    /// Adds a polygon.
-    pub fn push(&mut self, corners: impl IntoIterator<Item = u32>) {
-        self.corners.extend(corners);
+    /// Adds a polygon: the vertex of each corner and, if the corner has any, its texture coordinates,
+    /// both by index.
+    pub fn push(&mut self, corners: impl IntoIterator<Item = (u32, Option<u32>)>) {
+        for (vertex, uv) in corners {
+            if let Some(uv) = uv {
+                self.uv_corners.resize(self.corners.len(), NO_UV);
+                self.uv_corners.push(uv);
+            }
+            self.corners.push(vertex);
+        }
         self.ends.push(self.corners.len());
     }
 
@@ -45,8 +65,13 @@ impl Polygons {
 
     /// The corners of each polygon.
     pub fn iter(&self) -> impl Iterator<Item = &[u32]> {
+        self.ranges().map(|range| &self.corners[range])
+    }
+
+    /// Where in `corners` each polygon is.
+    fn ranges(&self) -> impl Iterator<Item = Range<usize>> {
         let starts = std::iter::once(0).chain(self.ends.iter().copied());
-        starts.zip(&self.ends).map(|(a, b)| &self.corners[a..*b])
+        starts.zip(&self.ends).map(|(a, b)| a..*b)
     }
 
     /// The first polygon that names a vertex which does not exist, with that index.
@@ -64,12 +89,31 @@ impl Polygons {
     ///   ears (Eberly, *Triangulation by Ear Clipping*, 2002), projected along the axis to which its
     ///   normal (Newell's) is closest. That only drops a coordinate, so nothing is rounded.
     ///
-    /// Corners that do not exist must have been refused before ([`Polygons::bad_index`]).
+    /// Each corner keeps its texture coordinates. Where only some polygons have them, the triangles of
+    /// the others get [`DEFAULT_UVS`].
+    ///
+    /// Vertices that do not exist must have been refused before ([`Polygons::bad_index`]), and so must
+    /// texture coordinates.
     pub fn triangulate(self) -> Triangulation {
         let mut found = Triangulation::default();
         let mut cutter = Cutter::default();
-        for polygon in self.iter() {
-            cutter.split(polygon, &self.vertices, &mut found);
+        for range in self.ranges() {
+            let corners = &self.corners[range.clone()];
+            cutter.split(corners, &self.vertices, &mut found);
+            let triangles = cutter.triangles.iter();
+            let vertices = triangles.clone().map(|t| t.map(|i| corners[i]));
+            found.mesh.triangles.extend(vertices);
+            if self.uv_corners.is_empty() {
+                continue;
+            }
+            let indices = self.uv_corners.get(range);
+            if let Some(indices) = indices.filter(|indices| !indices.contains(&NO_UV)) {
+                let uv = |i: usize| self.uvs[indices[i] as usize];
+                found.mesh.uvs.extend(triangles.map(|t| t.map(uv)));
+            } else {
+                found.without_uvs += 1;
+                found.mesh.uvs.extend(triangles.map(|_| DEFAULT_UVS));
+            }
         }
         found.mesh.vertices = self.vertices;
         found
@@ -82,6 +126,8 @@ struct Cutter {
     /// The corners, counted from the first.
     points: Vec<DVec3>,
     ears: Vec<u32>,
+    /// The triangles of the last polygon, by its corners.
+    triangles: Vec<[usize; 3]>,
 }
 
 impl Default for Cutter {
@@ -90,15 +136,17 @@ impl Default for Cutter {
             earcut: Earcut::new(),
             points: Vec::new(),
             ears: Vec::new(),
+            triangles: Vec::new(),
         }
     }
 }
 
 impl Cutter {
     fn split(&mut self, polygon: &[u32], vertices: &[DVec3], found: &mut Triangulation) {
-        let triangles = &mut found.mesh.triangles;
+        let triangles = &mut self.triangles;
+        triangles.clear();
         let (&[first, ..], 4..) = (polygon, polygon.len()) else {
-            triangles.extend(<[u32; 3]>::try_from(polygon));
+            triangles.extend((polygon.len() == 3).then_some([0, 1, 2]));
             return;
         };
         let origin = vertices[first as usize];
@@ -111,28 +159,28 @@ impl Cutter {
             // All corners on one line, or as much of it turned one way as the other.
             let flat = self.points[1..].windows(2).all(|w| fan(w) == DVec3::ZERO);
             found.crossing += usize::from(!flat);
-            triangles.extend(polygon[1..].windows(2).map(|w| [first, w[0], w[1]]));
+            triangles.extend((2..polygon.len()).map(|i| [0, i - 1, i]));
             return;
         }
-        if let &[a, b, c, d] = polygon {
+        if polygon.len() == 4 {
             // The two corners beside a diagonal lie on opposite sides of it.
             let inside = |w: [usize; 3]| {
                 let [p, q, r] = w.map(|i| self.points[i]);
                 (q - p).cross(r - p).dot(normal) > 0.0
             };
             if inside([0, 1, 2]) && inside([0, 2, 3]) {
-                triangles.extend([[a, b, c], [a, c, d]]);
+                triangles.extend([[0, 1, 2], [0, 2, 3]]);
                 return;
             }
             if inside([1, 2, 3]) && inside([1, 3, 0]) {
-                triangles.extend([[b, c, d], [b, d, a]]);
+                triangles.extend([[1, 2, 3], [1, 3, 0]]);
                 return;
             }
         }
-        self.cut_ears(polygon, normal, found);
+        self.cut_ears(normal, found);
     }
 
-    fn cut_ears(&mut self, polygon: &[u32], normal: DVec3, found: &mut Triangulation) {
+    fn cut_ears(&mut self, normal: DVec3, found: &mut Triangulation) {
         // Seen from the tip of the normal the polygon runs counter-clockwise.
         let flat = |p: DVec3| -> DVec2 {
             let n = normal.abs();
@@ -150,189 +198,20 @@ impl Cutter {
         self.earcut.earcut(data, &[], &mut self.ears);
         let mut area = 0.0;
         for &[a, b, c] in self.ears.as_chunks::<3>().0 {
-            let [p, q, r] = [a, b, c].map(|i| flat[i as usize]);
+            let [a, b, c] = [a, b, c].map(|i| i as usize);
+            let [p, q, r] = [flat[a], flat[b], flat[c]];
             let twice = (q - p).perp_dot(r - p);
             area += twice.abs();
-            let [a, b, c] = [a, b, c].map(|i| polygon[i as usize]);
             let wound = if twice < 0.0 { [a, c, b] } else { [a, b, c] };
-            found.mesh.triangles.push(wound);
+            self.triangles.push(wound);
         }
         let whole = normal.abs().max_element();
         if (area - whole).abs() > CLOSE * whole {
             found.crossing += 1;
         }
-        found.without_area += polygon.len() - 2 - self.ears.len() / 3;
+        found.without_area += self.points.len() - 2 - self.triangles.len();
     }
 }
 
 /// Areas this close to each other are the same area, rounded.
 const CLOSE: f64 = 1e-9;
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-    use std::f64::consts::TAU;
-
-    fn split(points: &[DVec3]) -> Triangulation {
-        let mut polygons = Polygons {
-            vertices: points.to_vec(),
-            ..Polygons::default()
-        };
-        polygons.push(0..points.len() as u32);
-        polygons.triangulate()
-    }
-
-    /// The vector area of a closed line of points (Newell).
-    fn newell(points: &[DVec3]) -> DVec3 {
-        let next = points.iter().cycle().skip(1);
-        points
-            .iter()
-            .zip(next)
-            .map(|(p, q)| 0.5 * p.cross(*q))
-            .sum()
-    }
-
-    /// Checks that the triangles fill a flat polygon once, wound as it is.
-    fn check(points: &[DVec3]) {
-        let found = split(points);
-        let normal = newell(points);
-        let mesh = &found.mesh;
-        let areas = mesh
-            .triangles
-            .iter()
-            .map(|t| newell(&t.map(|i| mesh.vertices[i as usize])));
-        let areas: Vec<DVec3> = areas.collect();
-        let whole = normal.length();
-        assert!(
-            areas.iter().all(|a| a.dot(normal) >= 0.0),
-            "{points:?}: {areas:?}"
-        );
-        let sum: f64 = areas.iter().map(|a| a.length()).sum();
-        assert!(
-            (sum / whole - 1.0).abs() < 1e-7,
-            "{points:?}: {sum} of {whole}"
-        );
-        let lacking = found.without_area;
-        assert_eq!(
-            mesh.triangles.len() + lacking,
-            points.len() - 2,
-            "{points:?}"
-        );
-        assert_eq!(found.crossing, 0, "{points:?}");
-    }
-
-    /// Outlines in a plane, counter-clockwise.
-    fn outlines() -> Vec<Vec<DVec2>> {
-        let points = |all: &[(f64, f64)]| all.iter().map(|p| DVec2::new(p.0, p.1)).collect();
-        let star = |n: usize, inner: f64| {
-            let point = |i: usize| {
-                let (sin, cos) = libm::sincos(TAU * i as f64 / n as f64);
-                DVec2::new(cos, sin) * if i.is_multiple_of(2) { 1.0 } else { inner }
-            };
-            (0..n).map(point).collect::<Vec<DVec2>>()
-        };
-        vec![
-            // The quadrilateral whose fan has three times its area.
-            points(&[(0.0, 1.0), (0.0, 0.0), (1.0, 0.0), (0.25, 0.25)]),
-            points(&[(0.0, 0.0), (2.0, 0.0), (2.0, 1.0), (0.0, 1.0)]),
-            // Corners on one line.
-            points(&[(0.0, 0.0), (1.0, 0.0), (2.0, 0.0), (0.0, 1.0)]),
-            points(&[
-                (0.0, 0.0),
-                (1.0, 0.0),
-                (2.0, 0.0),
-                (2.0, 2.0),
-                (0.0, 2.0),
-                (0.0, 1.0),
-            ]),
-            // An L, a U and a comb.
-            points(&[
-                (0.0, 0.0),
-                (3.0, 0.0),
-                (3.0, 1.0),
-                (1.0, 1.0),
-                (1.0, 3.0),
-                (0.0, 3.0),
-            ]),
-            points(&[
-                (0.0, 0.0),
-                (3.0, 0.0),
-                (3.0, 2.0),
-                (2.0, 2.0),
-                (2.0, 1.0),
-                (1.0, 1.0),
-                (1.0, 2.0),
-                (0.0, 2.0),
-            ]),
-            // A square with a square hole, joined by a bridge there and back.
-            points(&[
-                (0.0, 0.0),
-                (4.0, 0.0),
-                (4.0, 4.0),
-                (0.0, 4.0),
-                (0.0, 0.0),
-                (1.0, 1.0),
-                (1.0, 3.0),
-                (3.0, 3.0),
-                (3.0, 1.0),
-                (1.0, 1.0),
-            ]),
-            star(5, 1.0),
-            star(10, 0.3),
-            star(200, 0.9),
-        ]
-    }
-
-    #[test]
-    fn polygons_are_filled_once_in_every_plane_from_every_corner_and_wound_as_they_are() {
-        let frames = [
-            (DVec3::X, DVec3::Y),
-            (DVec3::Y, DVec3::Z),
-            (DVec3::Z, DVec3::X),
-            (DVec3::Y, DVec3::X),
-            (DVec3::new(1.0, 2.0, -0.5), DVec3::new(-2.0, 1.5, 2.0)),
-            (DVec3::new(1e-4, 0.0, 2e-4), DVec3::new(0.0, -1e-4, 0.0)),
-        ];
-        for outline in outlines() {
-            for (u, v) in frames {
-                // Map coordinates: so far away that single precision would lose the outline.
-                for origin in [DVec3::ZERO, DVec3::new(4_485_513.75, 701_362.5, 37.5)] {
-                    if origin != DVec3::ZERO && u.length() < 0.1 {
-                        continue;
-                    }
-                    let mut points: Vec<DVec3> =
-                        outline.iter().map(|p| origin + p.x * u + p.y * v).collect();
-                    // Rounding far away bends what lies on one line.
-                    if origin != DVec3::ZERO && outline.len() == 200 {
-                        continue;
-                    }
-                    for _ in 0..points.len().min(12) {
-                        points.rotate_left(1);
-                        check(&points);
-                    }
-                    points.reverse();
-                    check(&points);
-                }
-            }
-        }
-    }
-
-    #[test]
-    fn polygons_that_cross_themselves_are_counted() {
-        let flat = |all: &[(f64, f64)]| {
-            let points = all.iter().map(|p| DVec3::new(p.0, p.1, 0.0));
-            split(&points.collect::<Vec<_>>())
-        };
-        let bow_tie = flat(&[(0.0, 0.0), (1.0, 1.0), (1.0, 0.0), (0.0, 1.0)]);
-        assert_eq!((bow_tie.crossing, bow_tie.without_area), (1, 0));
-        let uneven = flat(&[(0.0, 0.0), (2.0, 2.0), (2.0, 0.0), (0.0, 1.0)]);
-        assert_eq!(uneven.crossing, 1);
-        let pentagram = (0..5).map(|i| {
-            let (sin, cos) = libm::sincos(TAU * f64::from(2 * i) / 5.0);
-            (cos, sin)
-        });
-        assert_eq!(flat(&pentagram.collect::<Vec<_>>()).crossing, 1);
-        let line = flat(&[(0.0, 0.0), (1.0, 0.0), (2.0, 0.0), (3.0, 0.0)]);
-        assert_eq!((line.crossing, line.mesh.triangles.len()), (0, 2));
-    }
-}

@@ -138,7 +138,7 @@ impl Quad {
             None => weights([cd, da, -ca]).map(|[u, v]| (u, u + v))?,
         };
         let t = self.plane().distance(ray, t_max, entry)?;
-        Some(Crossing { t, u, v })
+        Some(Crossing::new(t, u, v))
     }
 
     /// The surface at a crossing.

@@ -53,7 +53,7 @@ impl Sphere {
             roots.far
         };
         let t = t as f32;
-        (t > 0.0 && t <= t_max).then_some(Crossing { t, u: 0.0, v: 0.0 })
+        (t > 0.0 && t <= t_max).then_some(Crossing::new(t, 0.0, 0.0))
     }
 
     /// How far a point is from the sphere, positive on its front.

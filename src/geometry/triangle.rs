@@ -65,7 +65,7 @@ impl Triangle {
         let [a, b, c] = [&self.a, &self.b, &self.c].map(|corner| Sheared::new(corner, ray));
         let [u, v] = weights([edge(b, c), edge(c, a), edge(a, b)])?;
         let t = self.distance(ray, t_max)?;
-        Some(Crossing { t, u, v })
+        Some(Crossing::new(t, u, v))
     }
 
     /// How far along the ray its plane is. Few rays come this far, so it stays out of line and the

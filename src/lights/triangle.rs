@@ -89,5 +89,5 @@ pub(super) fn by_area(
 
 /// The point of a triangle whose second and third corner have these weights.
 pub(super) fn at(triangle: &Triangle, u: f32, v: f32) -> Surface {
-    triangle.surface(Crossing { t: 0.0, u, v })
+    triangle.surface(Crossing::new(0.0, u, v))
 }

@@ -4,16 +4,18 @@ mod materials;
 mod meshes;
 mod notes;
 
+pub(super) use meshes::Repeated;
+
 use super::description::{self as said, Description};
 use super::field::{Checked, Problem, Within, check, named};
 use super::made_from::MadeFrom;
-use super::motion::{self, Way};
+use super::motion::{self, PlacedInstance, Way};
 use super::parts::Parts;
 use super::placement::Placement;
 use super::value::{Positive, Whole};
 use super::{
-    BuildReport, Casters, Contacts, Inventory, Mapping, Object, Scene, Sky, Suggested, lamps,
-    procedural, spacing,
+    BuildReport, Casters, Contacts, Corners, Inventory, Mapping, Object, Scene, Sky, Suggested,
+    lamps, procedural, spacing,
 };
 use crate::camera::{Camera, Lens};
 use crate::geometry::{Bvh, Quad, Shape, Sphere};
@@ -48,6 +50,7 @@ pub(super) fn assemble(from: &Arc<MadeFrom>) -> Checked<Scene> {
         origin,
         folder,
         shutter: said.camera.shutter.get().within("camera")?,
+        said_often: meshes::said_often(said).into_iter().collect(),
         ..Parts::default()
     };
     parts.add_materials(&said.materials).within("materials")?;
@@ -60,6 +63,7 @@ pub(super) fn assemble(from: &Arc<MadeFrom>) -> Checked<Scene> {
         parts.add_object(i, object).within(i).within("objects")?;
     }
     parts.note_solids();
+    parts.part_from_lamps();
     let unused = parts
         .materials
         .keys()
@@ -74,23 +78,34 @@ pub(super) fn assemble(from: &Arc<MadeFrom>) -> Checked<Scene> {
             radiance: background,
         })
     }));
-    let count = parts.all.len();
+    let instanced: usize = parts.instances.iter().map(PlacedInstance::shapes).sum();
+    let count = parts.all.len() + instanced;
     let coarse = spacing::coarse(parts.all.iter().map(|(shape, _)| shape));
-    let (shapes, object_of_shape, in_motion) =
-        motion::part(parts.all, &parts.objects, &parts.spans, parts.lights.len());
-    let placed = motion::placed(&shapes, &object_of_shape, in_motion.as_ref());
+    let (shapes, object_of_shape, transformed) = motion::part(
+        parts.all,
+        &parts.objects,
+        &parts.spans,
+        parts.lights.len(),
+        &parts.instances,
+    );
+    let placed = motion::placed(&shapes, &object_of_shape, transformed.as_ref());
     for (number, shape) in placed.iter().enumerate().rev() {
         parts.objects[shape.object as usize]
             .mapping
             .begin_at(number as u32);
     }
+    for placed_once in &parts.instances {
+        parts.objects[placed_once.object as usize]
+            .mapping
+            .begin_at(placed.len() as u32);
+    }
     let contacts = Contacts::new(&placed, &parts.objects, parts.lights.len());
     let span = |light: usize| {
-        let moves = in_motion.as_ref();
+        let moves = transformed.as_ref();
         moves.map_or(Vec3::ZERO, |m| m.span_of_light[light])
     };
     let light_choice = LightChoice::new(&parts.lights, span);
-    let casters = Casters::new(&parts.objects, &shapes, &object_of_shape);
+    let casters = Casters::new(&parts.objects, &shapes, &object_of_shape, &parts.instances);
     let inventory = Inventory {
         point_lights: parts.lights.iter().filter(|l| l.is_delta()).count(),
         area_lights: parts.objects.iter().filter(|o| o.light.is_some()).count(),
@@ -119,6 +134,7 @@ pub(super) fn assemble(from: &Arc<MadeFrom>) -> Checked<Scene> {
         suggested,
         report: BuildReport {
             shapes: count,
+            instances: parts.instances.len(),
             degenerate_triangles: parts.degenerate_triangles,
             coarse,
             hidden_lamps: parts.hidden_lamps,
@@ -137,7 +153,7 @@ pub(super) fn assemble(from: &Arc<MadeFrom>) -> Checked<Scene> {
         objects: parts.objects,
         object_of_shape,
         bvh: Bvh::new(&shapes),
-        in_motion,
+        transformed,
         contacts,
     })
 }
@@ -193,10 +209,11 @@ impl Parts<'_> {
         check(seen, "needs a `material`, or `emits`, or both")?;
         let way = Way::new(self.shutter, said.motion).within("motion")?;
         let place = Placement::new(&said.transform).within("transform")?;
-        let (shapes, mapping) = self.shapes(&said.shape, &place.shifted(way.start))?;
+        let place = place.shifted(way.start);
+        let (shapes, mapping) = self.shapes(&said.shape, &place)?;
         way.check(&shapes).within("motion")?;
         if let Some(material) = &material {
-            self.inventory.count(material.brightest(), &shapes);
+            self.inventory.count(&material.brightest(), &shapes);
         }
         self.note_inside_out(number, material.as_ref(), radiance.is_some(), &shapes);
         let two_sided = said.two_sided.unwrap_or(false);
@@ -204,7 +221,19 @@ impl Parts<'_> {
             radiance,
             two_sided,
         });
-        self.push(shapes, material, emission, way.span, &mapping);
+        self.note_without_coordinates(number, said, &mapping);
+        let alone = emission.is_some() || way.span != Vec3::ZERO;
+        if let said::Shape::Custom(shape) = &said.shape {
+            let what = "may neither shine nor move: it is an object of one's own";
+            check(!alone, what)?;
+            let instance = self.custom(shape, &place)?;
+            self.push_instance((instance, None), material, mapping);
+        } else if !alone && let Some((instance, mesh, mapping)) = self.instance(&said.shape, &place)
+        {
+            self.push_instance((instance, Some(mesh)), material, mapping);
+        } else {
+            self.push(shapes, material, emission, way.span, &mapping);
+        }
         self.spans.resize(self.objects.len(), way.span);
         self.numbers.resize(self.objects.len(), number);
         if said.motion.0 != [0.0; 3] {
@@ -217,7 +246,10 @@ impl Parts<'_> {
 
     fn shapes(&mut self, said: &said::Shape, place: &Placement) -> Checked<(Vec<Shape>, Mapping)> {
         use said::Shape as Said;
-        let mirrored = place.mirrors();
+        let mirrored = |mapping: Mapping| match place.mirrors() {
+            true => mapping.mirrored(),
+            false => mapping,
+        };
         Ok(match said {
             Said::Sphere {
                 center,
@@ -229,18 +261,14 @@ impl Parts<'_> {
             }
             Said::Quad { corner, u, v } => {
                 let quad = self.quad(corner.get()?, u.get()?, v.get()?, place);
-                let mapping = Mapping::flat(mirrored.then(|| vec![UPRIGHT]), mirrored);
-                (vec![quad.within("quad")?], mapping)
+                (vec![quad.within("quad")?], mirrored(Mapping::default()))
             }
-            Said::Triangle { a, b, c } => {
-                let triangle = self.triangle([*a, *b, *c], place).within("triangle")?;
-                let mapping = Mapping::flat(mirrored.then(|| vec![UPRIGHT]), mirrored);
-                (triangle, mapping)
-            }
+            Said::Triangle { a, b, c } => self.triangle([*a, *b, *c], place).within("triangle")?,
             Said::Box { min, max } => {
                 let sides = self.cuboid(min.get()?, max.get()?, place).within("box")?;
-                (sides, Mapping::flat(Some(BOX.to_vec()), mirrored))
+                (sides, mirrored(Mapping::of(Corners::Each(BOX.into()))))
             }
+            Said::Custom(_) => (Vec::new(), Mapping::default()),
             Said::Mesh { file } => self.mesh_file(file, place).within("file").within("mesh")?,
             Said::BumpySphere {
                 center,
@@ -250,7 +278,7 @@ impl Parts<'_> {
             } => {
                 let (columns, rows) = (columns.get()?, rows.get()?);
                 let mesh = procedural::bumpy_sphere(center.get()?, radius.get()?, columns, rows);
-                self.mesh(mesh, place)
+                self.mesh(&mesh, place)
             }
         })
     }
@@ -306,7 +334,7 @@ impl Parts<'_> {
     }
 }
 
-/// Texture coordinates of a quad or triangle whose edges are `u` and `v`.
+/// Texture coordinates of a quad whose edges are `u` and `v`.
 const UPRIGHT: [Vec2; 3] = [Vec2::ZERO, Vec2::X, Vec2::Y];
 
 /// Texture coordinates of the sides of a box in the order of `Parts::cuboid`: seen from outside each is

@@ -3,6 +3,7 @@
 use super::Object;
 use super::ball::{Ball, Sight};
 use super::images::{Image, LampInBall, Way};
+use super::motion::PlacedInstance;
 use crate::geometry::Shape;
 use crate::materials::{Bsdf, Material};
 use crate::sampling::{frame::Frame, warps};
@@ -61,8 +62,13 @@ struct Caster {
 }
 
 impl Casters {
-    /// Those among the objects of a scene, of which `owners` says which shape belongs to which.
-    pub(super) fn new(objects: &[Object], shapes: &[Shape], owners: &[u32]) -> Self {
+    /// Those among the objects of a scene; `owners` are the objects that the shapes belong to.
+    pub(super) fn new(
+        objects: &[Object],
+        shapes: &[Shape],
+        owners: &[u32],
+        instances: &[PlacedInstance],
+    ) -> Self {
         let among = |which: fn(&Object) -> bool| {
             let ids = (0..).zip(objects).filter(move |(_, object)| which(object));
             ids.map(|(id, _)| id).take(MOST + 1).collect::<Vec<u32>>()
@@ -70,7 +76,11 @@ impl Casters {
         let shapes_of = |id: u32| {
             let all = owners.iter().zip(shapes);
             let its = all.filter(move |(owner, _)| **owner == id);
-            its.map(|(_, shape)| *shape).collect::<Vec<_>>()
+            let placed = instances.iter().filter(move |placed| placed.object == id);
+            let triangles = placed.flat_map(PlacedInstance::triangles);
+            let its = its.map(|(_, shape)| *shape);
+            its.chain(triangles.map(Shape::Triangle))
+                .collect::<Vec<_>>()
         };
         let specular = among(|object| {
             object
@@ -244,7 +254,7 @@ mod tests {
             material: Some(material),
             ..Object::default()
         });
-        Casters::new(&objects, &shapes, &owners)
+        Casters::new(&objects, &shapes, &owners, &[])
     }
 
     #[test]
@@ -301,7 +311,7 @@ mod tests {
             ball(0.0, 4.0, 1.5),
             ball(6.0, 0.5, 0.5),
         ];
-        let casters = Casters::new(&objects, &shapes, &[0, 1, 2]);
+        let casters = Casters::new(&objects, &shapes, &[0, 1, 2], &[]);
         let seen = casters.seen_from(Vec3::ZERO);
         // The lamp is behind the glass, which does not reflect it this way.
         assert_eq!((seen.cones.len(), seen.images.len()), (2, 2));

@@ -16,7 +16,7 @@ use glam::{DVec3, Vec3};
 
 /// Surfaces so near to a lamp, as a share of the scene's diameter, are looked at closely: far more
 /// than roundings of distances and the length that a shadow ray leaves out.
-const NEAR: f64 = 1.0 / (1 << 18) as f64;
+pub(super) const NEAR: f64 = 1.0 / (1 << 18) as f64;
 /// The least cosine between the normals of surfaces that lie within each other's rounding in more
 /// than a strip.
 const PARALLEL: f64 = 0.999;
@@ -130,7 +130,7 @@ impl Contacts {
     /// What a ray meets where `hit` is what it seems to meet first.
     #[inline(never)]
     pub(super) fn met(&self, ray: &Ray, hit: Hit, objects: &[Object]) -> Hit {
-        let place = self.places[hit.shape as usize];
+        let place = self.places.get(hit.shape as usize).copied().unwrap_or(NONE);
         if place == NONE {
             return hit;
         }

@@ -1,10 +1,10 @@
 //! What a scene calls for, told from what is in it.
 
 use super::Scene;
-use super::motion::InMotion;
+use super::motion::TransformedShapes;
 use crate::camera::Lens;
 use crate::geometry::Shape;
-use crate::materials::{Bsdf, kinds};
+use crate::materials::{Bsdf, Event, kinds};
 
 /// A way of light that a scene may call for, or may not.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash, serde::Serialize)]
@@ -145,6 +145,8 @@ impl Inventory {
             Bsdf::Lambert(_) => self.diffuse += 1,
             Bsdf::Mirror(_) | Bsdf::Glass(_) => self.specular += 1,
             Bsdf::Glossy(_) | Bsdf::RoughGlass(_) => self.glossy += 1,
+            Bsdf::Custom(m) if m.event() == Event::Diffuse => self.diffuse += 1,
+            Bsdf::Custom(_) => self.glossy += 1,
             Bsdf::Mixture(m) => {
                 self.diffuse += usize::from(!m.kd.is_black());
                 self.specular += usize::from(!(m.ks + m.kt).is_black());
@@ -207,8 +209,8 @@ impl Scene {
         self.camera = self.camera.with_lens(Some(lens));
         self.kinds = kinds::ALL;
         let lights = self.lights.len();
-        self.in_motion
-            .get_or_insert_with(|| InMotion::of_nothing(lights));
+        self.transformed
+            .get_or_insert_with(|| TransformedShapes::of_nothing(lights));
         self.dark = false;
         self
     }

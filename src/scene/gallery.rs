@@ -27,6 +27,10 @@ pub const GALLERY: &[(&str, &str)] = &[
         "mixture",
         include_str!("../../examples/scenes/mixture.toml"),
     ),
+    (
+        "textures",
+        include_str!("../../examples/scenes/textures.toml"),
+    ),
     ("lens", include_str!("../../examples/scenes/lens.toml")),
     ("motion", include_str!("../../examples/scenes/motion.toml")),
     ("six", include_str!("../../examples/scenes/six.toml")),

@@ -12,9 +12,8 @@ pub enum Mapping {
     Flat {
         /// The number of the object's first shape.
         first: u32,
-        /// The coordinates at the first corner of each shape, and at the ends of its first and second
-        /// edge; where there is no list they are (0, 0), (1, 0) and (0, 1).
-        corners: Option<Arc<[[Vec2; 3]]>>,
+        /// The coordinates of these corners.
+        corners: Corners,
     },
     /// On a sphere: the longitude from `+x` over `-z`, counter-clockwise seen from above, and the latitude
     /// from the lower pole to the upper.
@@ -24,26 +23,40 @@ pub enum Mapping {
     },
 }
 
+/// Texture coordinates at the first corner of a shape, and at the ends of its first and second edge.
+#[derive(Clone, Debug)]
+pub enum Corners {
+    /// The same for all shapes.
+    Same([Vec2; 3]),
+    /// For each shape its own.
+    Each(Arc<[[Vec2; 3]]>),
+}
+
 impl Default for Mapping {
     fn default() -> Self {
-        Mapping::Flat {
-            first: 0,
-            corners: None,
-        }
+        Mapping::of(Corners::Same([Vec2::ZERO, Vec2::X, Vec2::Y]))
     }
 }
 
 impl Mapping {
     /// Of quads and triangles.
-    ///
-    /// * `corners`: as in [`Mapping::Flat`].
-    /// * `mirrored`: true where both edges of each shape changed places.
-    pub(super) fn flat(corners: Option<Vec<[Vec2; 3]>>, mirrored: bool) -> Self {
-        let corners = corners.map(|all| {
-            let swapped = |[a, b, c]: [Vec2; 3]| if mirrored { [a, c, b] } else { [a, b, c] };
-            all.into_iter().map(swapped).collect()
-        });
+    pub(super) fn of(corners: Corners) -> Self {
         Mapping::Flat { first: 0, corners }
+    }
+
+    /// That of shapes whose two edges changed places.
+    pub(super) fn mirrored(&self) -> Self {
+        let swapped = |[a, b, c]: [Vec2; 3]| [a, c, b];
+        match self {
+            Mapping::Flat { first, corners } => Mapping::Flat {
+                first: *first,
+                corners: match corners {
+                    Corners::Same(corners) => Corners::Same(swapped(*corners)),
+                    Corners::Each(all) => Corners::Each(all.iter().copied().map(swapped).collect()),
+                },
+            },
+            Mapping::Sphere { .. } => self.clone(),
+        }
     }
 
     /// Says the number of the first shape.
@@ -53,15 +66,25 @@ impl Mapping {
         }
     }
 
+    /// True where each shape has coordinates of its own.
+    pub(super) fn is_own(&self) -> bool {
+        matches!(
+            self,
+            Mapping::Flat {
+                corners: Corners::Each(_),
+                ..
+            }
+        )
+    }
+
     /// That of some of the shapes, as an object of its own.
     pub(super) fn some(&self, which: &[usize]) -> Self {
         match self {
             Mapping::Flat {
-                corners: Some(corners),
+                corners: Corners::Each(all),
                 ..
-            } if corners.len() != which.len() => {
-                let corners = which.iter().map(|&i| corners[i]).collect();
-                Mapping::flat(Some(corners), false)
+            } if all.len() != which.len() => {
+                Mapping::of(Corners::Each(which.iter().map(|&i| all[i]).collect()))
             }
             _ => self.clone(),
         }
@@ -84,12 +107,11 @@ impl Mapping {
     /// * `n`: the unit normal of a sphere.
     pub(super) fn at(&self, part: u32, place: [f32; 2], n: Vec3) -> Vec2 {
         match self {
-            Mapping::Flat { corners: None, .. } => place.into(),
-            Mapping::Flat {
-                corners: Some(corners),
-                ..
-            } => {
-                let [a, b, c] = corners[part as usize];
+            Mapping::Flat { corners, .. } => {
+                let [a, b, c] = match corners {
+                    Corners::Same(corners) => *corners,
+                    Corners::Each(all) => all[part as usize],
+                };
                 let [u, v] = place;
                 a + (b - a) * u + (c - a) * v
             }

@@ -36,7 +36,7 @@ pub use casters::{Casters, SeenCasters};
 pub use effects::{Effect, Effects, Inventory, Sky};
 pub use gallery::load;
 pub use interaction::Interaction;
-pub use mapping::Mapping;
+pub use mapping::{Corners, Mapping};
 pub use read::SceneError;
 pub use spacing::Coarse;
 pub use tracer::{RayCounts, Tracer};
@@ -50,7 +50,7 @@ use contacts::Contacts;
 use description::Description;
 use glam::Vec3;
 use made_from::MadeFrom;
-use motion::InMotion;
+use motion::TransformedShapes;
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
@@ -100,8 +100,8 @@ pub struct Scene {
     /// For each shape of the hierarchy the object it belongs to.
     object_of_shape: Vec<u32>,
     bvh: Bvh,
-    /// What moves; `None` for most scenes.
-    in_motion: Option<InMotion>,
+    /// What moves, and instances of meshes; `None` for most scenes.
+    transformed: Option<TransformedShapes>,
     /// What lies within rounding of lamps; `None` for most scenes.
     contacts: Option<Contacts>,
 }
@@ -135,7 +135,8 @@ impl Scene {
 
     /// True where anything moves while the shutter is open.
     pub fn moves(&self) -> bool {
-        self.in_motion.is_some()
+        let transformed = self.transformed.as_ref();
+        transformed.is_some_and(|shapes| shapes.moves())
     }
 
     /// The materials of its objects besides `Lambert`: a set of [`kinds`](crate::materials::kinds).
@@ -214,6 +215,8 @@ pub struct Suggested {
 pub struct BuildReport {
     /// Shapes in the hierarchy.
     pub shapes: usize,
+    /// Objects that are meshes stored once for several objects.
+    pub instances: usize,
     /// Triangles left out because they have no area.
     pub degenerate_triangles: usize,
     /// What else is to be said about the scene, in sentences.

@@ -1,11 +1,12 @@
-//! What moves while the shutter is open.
+//! Shapes that are not simply where they are: what moves while the shutter is open, and instances.
 
 use super::Object;
 use super::contacts::Placed;
 use super::field::{Checked, check};
 use super::value::Triple;
-use crate::geometry::{Bvh, Moving, Shape};
+use crate::geometry::{Bvh, Instance, Moving, Shape, SharedMesh, Transformed, Triangle};
 use glam::{DVec3, Vec3};
+use std::sync::Arc;
 
 /// How an object moves while the shutter is open.
 pub(super) struct Way {
@@ -34,41 +35,69 @@ impl Way {
 
 const TOO_FAR: &str = "must keep the object within 3.4e38 of the camera while the shutter is open";
 
-/// Shapes in motion, and lights that move with them. Time runs from 0, where the shutter opens, to
-/// 1, where it closes.
+/// A shape that was put in its place by a transformation.
+pub(super) struct PlacedInstance {
+    pub instance: Instance,
+    /// What it is, if it is a mesh.
+    pub mesh: Option<Arc<SharedMesh>>,
+    pub object: u32,
+}
+
+impl PlacedInstance {
+    /// Its triangles in the world, if it is a mesh.
+    pub(super) fn triangles(&self) -> impl Iterator<Item = Triangle> {
+        let all = self.mesh.iter().flat_map(|mesh| mesh.triangles());
+        all.map(|t| self.instance.placed(t))
+    }
+
+    /// How many shapes it stands for.
+    pub(super) fn shapes(&self) -> usize {
+        self.mesh.as_ref().map_or(1, |mesh| mesh.triangles().len())
+    }
+}
+
+/// Shapes in motion, with the lights that move with them, and instances of meshes. Time runs from 0, where
+/// the shutter opens, to 1, where it closes.
 #[derive(Clone, Debug)]
-pub(super) struct InMotion {
-    pub bvh: Bvh<Moving>,
-    /// For each shape of the hierarchy the object it belongs to.
+pub(super) struct TransformedShapes {
+    pub bvh: Bvh<Transformed>,
+    /// For each shape of the hierarchy the object it belongs to; those in motion come first.
     pub object_of_shape: Vec<u32>,
-    /// The same shapes, where they are when the shutter opens.
-    pub shapes: Vec<Placed>,
+    /// Those in motion, where they are when the shutter opens.
+    pub moving: Vec<Placed>,
     /// For each light its way while the shutter is open.
     pub span_of_light: Vec<Vec3>,
 }
 
-impl InMotion {
+impl TransformedShapes {
+    /// True where anything moves.
+    pub(super) fn moves(&self) -> bool {
+        !self.moving.is_empty()
+    }
+
     /// Motion of nothing, beside some lights that stand still.
-    pub(super) fn of_nothing(lights: usize) -> InMotion {
-        InMotion {
+    pub(super) fn of_nothing(lights: usize) -> TransformedShapes {
+        TransformedShapes {
             bvh: Bvh::new(&[]),
             object_of_shape: Vec::new(),
-            shapes: Vec::new(),
+            moving: Vec::new(),
             span_of_light: vec![Vec3::ZERO; lights],
         }
     }
 }
 
-/// Parts what moves from what stands still: the shapes that do, and of each its object.
+/// Parts what is transformed from what simply stands: the shapes that do, and of each its object.
 ///
 /// * `all`: shapes, where they are when the shutter opens, and the objects they belong to.
 /// * `spans`: the way of each object while the shutter is open.
+/// * `instances`: shapes that a transformation puts in their places.
 pub(super) fn part(
     all: Vec<(Shape, u32)>,
     objects: &[Object],
     spans: &[Vec3],
     lights: usize,
-) -> (Vec<Shape>, Vec<u32>, Option<InMotion>) {
+    instances: &[PlacedInstance],
+) -> (Vec<Shape>, Vec<u32>, Option<TransformedShapes>) {
     let stands = |(_, object): &(Shape, u32)| spans[*object as usize] == Vec3::ZERO;
     let (still, moving): (Vec<_>, Vec<_>) = all.into_iter().partition(stands);
     let (shapes, object_of_shape) = still.into_iter().unzip();
@@ -79,29 +108,34 @@ pub(super) fn part(
             span,
             object,
         };
-        Moving::new(shape, span).map(|shape| (shape, placed))
+        Moving::new(shape, span).map(|shape| (Transformed::Moving(shape), placed))
     });
-    let (moving, placed): (Vec<_>, Vec<_>) = moving.unzip();
+    let (mut primitives, moving): (Vec<_>, Vec<Placed>) = moving.unzip();
+    let mut owners: Vec<u32> = moving.iter().map(|shape| shape.object).collect();
+    for placed in instances {
+        primitives.push(Transformed::Instance(placed.instance.clone()));
+        owners.push(placed.object);
+    }
     let mut span_of_light = vec![Vec3::ZERO; lights];
     for (object, span) in objects.iter().zip(spans) {
         if let Some(light) = object.light {
             span_of_light[light as usize] = *span;
         }
     }
-    let in_motion = (!moving.is_empty()).then(|| InMotion {
-        bvh: Bvh::new(&moving),
-        object_of_shape: placed.iter().map(|shape| shape.object).collect(),
-        shapes: placed,
+    let transformed = (!primitives.is_empty()).then(|| TransformedShapes {
+        bvh: Bvh::new(&primitives),
+        object_of_shape: owners,
+        moving,
         span_of_light,
     });
-    (shapes, object_of_shape, in_motion)
+    (shapes, object_of_shape, transformed)
 }
 
 /// All shapes by their numbers, those that stand still first.
 pub(super) fn placed(
     shapes: &[Shape],
     object_of_shape: &[u32],
-    in_motion: Option<&InMotion>,
+    transformed: Option<&TransformedShapes>,
 ) -> Vec<Placed> {
     let still = shapes.iter().zip(object_of_shape);
     let still = still.map(|(&shape, &object)| Placed {
@@ -109,6 +143,6 @@ pub(super) fn placed(
         span: Vec3::ZERO,
         object,
     });
-    let moving = in_motion.map_or(&[][..], |moves| &moves.shapes);
+    let moving = transformed.map_or(&[][..], |shapes| &shapes.moving);
     still.chain(moving.iter().copied()).collect()
 }

@@ -1,6 +1,8 @@
 //! What a scene is put together from.
 
+use super::build::Repeated;
 use super::field::{Checked, Problem, check};
+use super::motion::PlacedInstance;
 use super::spacing::Misplaced;
 use super::{Inventory, Object};
 use crate::geometry::Shape;
@@ -8,7 +10,7 @@ use crate::lights::Light;
 use crate::materials::Material;
 use glam::{DVec3, Vec3};
 use std::collections::{BTreeMap, BTreeSet};
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
 /// A scene while it is put together.
 #[derive(Default)]
@@ -22,6 +24,11 @@ pub(super) struct Parts<'a> {
     /// All shapes, where they are when the shutter opens, and the objects they belong to.
     pub(super) all: Vec<(Shape, u32)>,
     pub(super) objects: Vec<Object>,
+    /// Shapes that a transformation puts in their places.
+    pub(super) instances: Vec<PlacedInstance>,
+    /// Mesh files that several objects name, and what was read of them.
+    pub(super) said_often: BTreeSet<PathBuf>,
+    pub(super) repeated: BTreeMap<PathBuf, Repeated>,
     /// The way of each object while the shutter is open.
     pub(super) spans: Vec<Vec3>,
     pub(super) lights: Vec<Light>,

@@ -42,6 +42,11 @@ impl Placement {
         self.linear * p + self.shift
     }
 
+    /// The matrix and the shift that follows.
+    pub(super) fn affine(&self) -> (DMat3, DVec3) {
+        (self.linear, self.shift)
+    }
+
     /// True where front and back change places.
     pub(super) fn mirrors(&self) -> bool {
         let signs = self.scale.to_array().map(|s| s < 0.0);

@@ -1,7 +1,7 @@
 //! How integrators look at a scene; every ray they ask for is counted.
 
 use super::interaction::{Hit, Interaction};
-use super::motion::InMotion;
+use super::motion::TransformedShapes;
 use super::{Object, Scene};
 use crate::geometry::{Found, Ray, Surface};
 use crate::lights::{Incident, LightSample};
@@ -95,7 +95,7 @@ impl<'a> Tracer<'a> {
     pub fn unoccluded(&mut self, shadow_ray: &Ray) -> bool {
         self.counts.shadow += 1;
         !self.scene.bvh.any(shadow_ray)
-            && !matches!(&self.scene.in_motion, Some(m) if m.bvh.any(shadow_ray))
+            && !matches!(&self.scene.transformed, Some(m) if m.bvh.any(shadow_ray))
     }
 
     /// True where the light `index` is visible along the shadow ray of a sample of it: nothing stands
@@ -141,7 +141,7 @@ impl<'a> Tracer<'a> {
     /// How far a light has come at `time` since the shutter opened; `None` for one that stands still.
     #[inline]
     fn light_moved(&self, index: usize, time: f32) -> Option<Vec3> {
-        let span = self.scene.in_motion.as_ref()?.span_of_light[index];
+        let span = self.scene.transformed.as_ref()?.span_of_light[index];
         (span != Vec3::ZERO).then(|| span * time)
     }
 
@@ -149,8 +149,8 @@ impl<'a> Tracer<'a> {
     fn first_hit(&self, ray: &Ray) -> Option<Interaction<'a>> {
         let scene = self.scene;
         let still = scene.bvh.first(ray);
-        let hit = match &scene.in_motion {
-            Some(in_motion) => scene.first_of_both(in_motion, still, ray),
+        let hit = match &scene.transformed {
+            Some(transformed) => scene.first_of_both(transformed, still, ray),
             None => still.map(|found| scene.hit(ray, &found)),
         }?;
         let hit = match &scene.contacts {
@@ -165,22 +165,29 @@ impl Scene {
     /// What a ray hits first of what stands still, if `still` is the first of that, and of what
     /// moves; of two at the same distance the one that comes first in the file.
     #[inline(never)]
-    fn first_of_both(&self, in_motion: &InMotion, still: Option<Found>, ray: &Ray) -> Option<Hit> {
+    fn first_of_both(
+        &self,
+        transformed: &TransformedShapes,
+        still: Option<Found>,
+        ray: &Ray,
+    ) -> Option<Hit> {
         let t_max = still.map_or(ray.t_max, |found| found.crossing.t);
         let ahead = Ray { t_max, ..*ray };
-        if let Some(found) = in_motion.bvh.first(&ahead) {
+        if let Some(found) = transformed.bvh.first(&ahead) {
             let t = found.crossing.t;
-            let object = in_motion.object_of_shape[found.id as usize];
+            let object = transformed.object_of_shape[found.id as usize];
             let first = still.is_none_or(|other| {
                 let before = self.object_of_shape[other.id as usize];
                 (t, object) < (other.crossing.t, before)
             });
             if first {
+                // Shapes in motion have numbers of their own, those of an instance are its parts' beyond all.
+                let number = transformed.moving.len().min(found.id as usize) as u32;
                 return Some(Hit {
                     crossing: found.crossing,
                     surface: found.shape.surface(ray, found.crossing),
                     object,
-                    shape: self.object_of_shape.len() as u32 + found.id,
+                    shape: self.object_of_shape.len() as u32 + number + found.crossing.part,
                 });
             }
         }

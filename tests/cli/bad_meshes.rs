@@ -5,7 +5,7 @@ use super::{folder, scene_refused};
 use std::time::{Duration, Instant};
 
 /// Checks that a mesh file is refused, in a sentence with `words`, and without delay.
-fn check(name: &str, bytes: &[u8], words: &str) {
+pub fn check(name: &str, bytes: &[u8], words: &str) {
     let folder = folder();
     std::fs::write(folder.path().join(name), bytes).unwrap();
     let start = Instant::now();

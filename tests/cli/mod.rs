@@ -7,11 +7,13 @@ mod converge;
 mod cost;
 mod doctor;
 mod interrupts;
+mod json;
 mod left_out;
 pub mod meshes;
 mod odd_scenes;
 mod options;
 mod target;
+pub mod textured_meshes;
 mod unheard;
 mod whole_files;
 

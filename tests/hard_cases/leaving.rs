@@ -82,7 +82,7 @@ fn a04_self_intersection_of_triangles_of_all_proportions() {
         triangles += 1;
         for _ in 0..1000 {
             let [u, v] = draw.inside();
-            let surface = triangle.surface(Crossing { t: 1.0, u, v });
+            let surface = triangle.surface(Crossing::new(1.0, u, v));
             worst = worst.max(off_plane(&triangle, &surface));
             ours += count(&Shape::Triangle(triangle), &surface, &mut draw, 1);
         }
@@ -186,11 +186,7 @@ fn a04_self_intersection_offsets_stay_within_a_gap_of_64_ulps() {
             let surface = match &first {
                 Shape::Sphere(s) => s.surface_towards(draw.direction().as_dvec3().normalize()),
                 Shape::Quad(q) => q.surface_at(draw.between(0.3, 0.7), draw.between(0.3, 0.7)),
-                Shape::Triangle(t) => t.surface(Crossing {
-                    t: 0.0,
-                    u: 0.3,
-                    v: 0.2,
-                }),
+                Shape::Triangle(t) => t.surface(Crossing::new(0.0, 0.3, 0.2)),
             };
             for _ in 0..100 {
                 let slant = draw.leaving(surface.n);
@@ -263,7 +259,7 @@ fn a04_self_intersection_of_shadow_rays_with_their_lamp() {
                     Shape::Quad(q) => q.surface_at(draw.one(), draw.one()),
                     Shape::Triangle(t) => {
                         let [u, v] = draw.inside();
-                        t.surface(Crossing { t: 0.0, u, v })
+                        t.surface(Crossing::new(0.0, u, v))
                     }
                 };
                 let out = draw.leaving(target.n);

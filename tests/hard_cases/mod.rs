@@ -21,6 +21,7 @@
 //! | A8 boxes | `watertight::a08_*` | rays in faces and at corners are lost |
 //! | A9 hierarchies | `hierarchy::a09_*`, `properties::trees_*` | |
 //! | A4, A9 shapes in motion | `moving::*` | |
+//! | A4, A15 instances | `instances::*` | the error of a point rounded once: some come back |
 //! | A10 frames near -z | `sampling::a10_*` | not orthonormal |
 //! | A11 poles, no upright | `viewing::a11_*`, `lights::environment::poles_*` | arc cosines are NaN |
 //! | A12 ties | `hierarchy::a12_*` | |
@@ -28,7 +29,7 @@
 //! | A13 far from the origin | `viewing::a13_a_scene_*` | a few places on a unit sphere |
 //! | A13 thin walls | `viewing::a13_a_wall_*` | |
 //! | A13 too small for its place | `viewing::a13_what_*` | |
-//! | A14 checkers on a plane | none: there are no textures | |
+//! | A14 checkers on a plane | `textures::an_image_*`: where they are is told by `u` and `v` | |
 //! | A15 transforms | `viewing::a15_*`, `cli::bad_scenes::coordinates_*` | normals that are none |
 //! | A16 invalid rays | `geometry::a16_*` | |
 //! | A17 motion | `viewing::a17_*`, `moving::*`, `motion::a_closed_shutter_*` | mixed matrices shrink |
@@ -75,6 +76,7 @@ mod draw;
 mod film_and_input;
 mod geometry;
 mod hierarchy;
+mod instances;
 mod leaving;
 mod moving;
 mod naive;

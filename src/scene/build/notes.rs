@@ -2,10 +2,12 @@
 
 use crate::geometry::Shape;
 use crate::materials::Material;
-use crate::scene::description::Description;
+use crate::scene::Mapping;
+use crate::scene::description::{self as said, Description};
 use crate::scene::parts::Parts;
 use crate::scene::solids;
 use crate::scene::spacing::Misplaced;
+use crate::scene::textures::Textured;
 
 impl Parts<'_> {
     /// An image around the scene that is all black is none.
@@ -14,6 +16,30 @@ impl Parts<'_> {
             self.note(format!(
                 "{}: every pixel is black, so it gives no light",
                 image.display()
+            ));
+        }
+    }
+
+    /// A texture on a mesh that does not say where on it.
+    pub(super) fn note_without_coordinates(
+        &mut self,
+        number: usize,
+        said: &said::Object,
+        mapping: &Mapping,
+    ) {
+        let material = said
+            .material
+            .as_ref()
+            .and_then(|name| self.materials.get(name));
+        let emits = said.emits.as_ref();
+        let textured = material.is_some_and(Material::is_textured)
+            || emits.is_some_and(|color| !matches!(color, Textured::Constant(_)));
+        if let (said::Shape::Mesh { file }, true, false) = (&said.shape, textured, mapping.is_own())
+        {
+            self.note(format!(
+                "objects[{number}] has a texture, but {} has no texture coordinates: each of its \
+                 triangles gets (0, 0), (1, 0) and (1, 1)",
+                file.display()
             ));
         }
     }

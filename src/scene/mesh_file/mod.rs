@@ -5,6 +5,8 @@ mod ply;
 
 #[cfg(test)]
 mod tests;
+#[cfg(test)]
+mod uv_tests;
 
 use crate::geometry::{Mesh, Polygons};
 use std::collections::BTreeMap;
@@ -94,11 +96,21 @@ fn triangles(said: Said) -> Result<MeshFile, String> {
             found.crossing
         )
     });
+    let untextured = (found.without_uvs > 0).then(|| {
+        format!(
+            "{} faces lack texture coordinates at some corner; their triangles get (0, 0), (1, 0) and \
+             (1, 1)",
+            found.without_uvs
+        )
+    });
     let ignored = ignored.map(|names| format!("ignored: {names}"));
     Ok(MeshFile {
         mesh: found.mesh,
         without_area: found.without_area,
-        notes: crossing.into_iter().chain(ignored).collect(),
+        notes: [crossing, untextured, ignored]
+            .into_iter()
+            .flatten()
+            .collect(),
     })
 }
 

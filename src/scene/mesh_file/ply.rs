@@ -1,19 +1,41 @@
 //! PLY files (Turk, *The PLY Polygon File Format*, 1994), ascii and binary.
 
-use super::{Said, start};
+mod ascii;
+
+use super::Said;
 use crate::geometry::Polygons;
-use glam::DVec3;
+use ascii::Lines;
+use glam::{DVec2, DVec3, Vec2};
 use ply_rs_bw::parser::{ParseError, Parser, Reader};
 use ply_rs_bw::ply::{
     ElementDef, Encoding, Header, Property, PropertyAccess, PropertyAccessResult, PropertyType,
     ScalarType,
 };
-use std::io::BufRead;
 
 const BYTE_ORDER_MARK: &[u8] = b"\xef\xbb\xbf";
 
 /// What PLY files call the list of a face's corners.
 const CORNERS: [&str; 2] = ["vertex_indices", "vertex_index"];
+
+/// What they call the texture coordinates of a vertex.
+pub(super) const UVS: [[&str; 2]; 5] = [
+    ["u", "v"],
+    ["s", "t"],
+    ["texture_u", "texture_v"],
+    ["texture_s", "texture_t"],
+    ["u0", "v0"],
+];
+
+/// What they call the list of the texture coordinates of a face's corners, two numbers a corner.
+const CORNER_UVS: &str = "texcoord";
+
+/// Where a file says texture coordinates.
+enum Uvs {
+    Nowhere,
+    /// Under these names of [`UVS`].
+    OfVertices(usize),
+    OfCorners,
+}
 
 /// Reads the vertices, faces and triangle strips of a PLY file; other elements are counted.
 pub(super) fn read(bytes: &[u8]) -> Result<Said, String> {
@@ -22,6 +44,7 @@ pub(super) fn read(bytes: &[u8]) -> Result<Said, String> {
     let header = Parser::<Row>::new().read_header(&mut reader);
     let header = header.map_err(|e| complain(&e))?;
     check(&header)?;
+    let uvs = Uvs::of(&header);
     let mut lines = Lines::after(&mut reader);
     let mut said = Said::default();
     for (name, element) in &header.elements {
@@ -34,9 +57,14 @@ pub(super) fn read(bytes: &[u8]) -> Result<Said, String> {
                 })?,
             };
             match name.as_str() {
-                "vertex" => said.polygons.vertices.push(row.place),
-                "face" => said.polygons.push(face(at, &row.corners)?),
-                "tristrips" => strips(at, &row.corners, &mut said.polygons)?,
+                "vertex" => {
+                    said.polygons.vertices.push(row.place);
+                    if let Uvs::OfVertices(names) = uvs {
+                        said.polygons.uvs.push(finite(row.uvs[names], name, at)?);
+                    }
+                }
+                "face" => face(at, &row, &uvs, &mut said.polygons)?,
+                "tristrips" => strips(at, &row.corners, &uvs, &mut said.polygons)?,
                 other => said.ignore(other),
             }
         }
@@ -63,6 +91,15 @@ fn complain(error: &ParseError) -> String {
     improper(text.lines().next().unwrap_or_default())
 }
 
+/// The type of an element's property.
+fn kind<'a>(element: &'a ElementDef, property: &str) -> Option<&'a PropertyType> {
+    element.properties.get(property).map(|p| &p.data_type)
+}
+
+fn is_real(item: &ScalarType) -> bool {
+    matches!(item, ScalarType::Float | ScalarType::Double)
+}
+
 /// Checks that a PLY file holds a mesh: what the parser does not find it leaves out in silence.
 fn check(header: &Header) -> Result<(), String> {
     for (name, element) in &header.elements {
@@ -76,8 +113,7 @@ fn check(header: &Header) -> Result<(), String> {
     let lacks = |what: &str| format!("is not a mesh: its header has no element {what}");
     let vertex = element("vertex").ok_or_else(|| lacks("`vertex`"))?;
     for name in ["x", "y", "z"] {
-        let property = vertex.properties.get(name).map(|p| &p.data_type);
-        if !matches!(property, Some(PropertyType::Scalar(_))) {
+        if !matches!(kind(vertex, name), Some(PropertyType::Scalar(_))) {
             return Err(format!(
                 "is not a mesh: its vertices have no property `{name}` that is one number"
             ));
@@ -91,14 +127,10 @@ fn check(header: &Header) -> Result<(), String> {
         return Err(lacks("`face` or `tristrips`"));
     }
     let is_list_of_indices = |element: &ElementDef| {
-        CORNERS.into_iter().any(|name| {
-            let property = element.properties.get(name).map(|p| &p.data_type);
-            property.is_some_and(|p| match p {
-                PropertyType::List(_, item) => {
-                    !matches!(item, ScalarType::Float | ScalarType::Double)
-                }
-                PropertyType::Scalar(_) => false,
-            })
+        let mut kinds = CORNERS.into_iter().filter_map(|name| kind(element, name));
+        kinds.any(|kind| match kind {
+            PropertyType::List(_, item) => !is_real(item),
+            PropertyType::Scalar(_) => false,
         })
     };
     match faces.iter().find(|element| !is_list_of_indices(element)) {
@@ -110,12 +142,58 @@ fn check(header: &Header) -> Result<(), String> {
     }
 }
 
-/// A face's corners as indices.
-fn face(at: usize, corners: &[i64]) -> Result<Vec<u32>, String> {
-    if corners.len() < 3 {
+impl Uvs {
+    /// Where a file has both, lists of faces' corners count, for vertices know no seams.
+    fn of(header: &Header) -> Uvs {
+        let kind = |element: &str, name: &str| kind(header.elements.get(element)?, name);
+        let is_scalar = |name| matches!(kind("vertex", name), Some(PropertyType::Scalar(_)));
+        match kind("face", CORNER_UVS) {
+            Some(PropertyType::List(_, item)) if is_real(item) => Uvs::OfCorners,
+            _ => UVS
+                .iter()
+                .position(|names| names.iter().all(|name| is_scalar(name)))
+                .map_or(Uvs::Nowhere, Uvs::OfVertices),
+        }
+    }
+
+    /// A corner whose texture coordinates, if there are any, are its vertex's.
+    fn corner(&self, vertex: u32) -> (u32, Option<u32>) {
+        (vertex, matches!(self, Uvs::OfVertices(_)).then_some(vertex))
+    }
+}
+
+fn finite(uv: [f64; 2], kind: &str, at: usize) -> Result<Vec2, String> {
+    let uv = DVec2::from(uv).as_vec2();
+    let what = || format!("has texture coordinates that are not finite numbers in {kind} {at}");
+    uv.is_finite().then_some(uv).ok_or_else(what)
+}
+
+/// Adds a face; the texture coordinates of its corners are in its own list, or those of its vertices.
+fn face(at: usize, row: &Row, uvs: &Uvs, polygons: &mut Polygons) -> Result<(), String> {
+    let count = row.corners.len();
+    if count < 3 {
         return Err(format!("has fewer than 3 corners in face {at}"));
     }
-    corners.iter().map(|i| index(*i, "face", at)).collect()
+    let corners = row.corners.iter().map(|i| index(*i, "face", at));
+    let corners = corners.collect::<Result<Vec<u32>, String>>()?;
+    // An empty list is that of a face without texture coordinates.
+    if !matches!(uvs, Uvs::OfCorners) || row.corner_uvs.is_empty() {
+        polygons.push(corners.into_iter().map(|i| uvs.corner(i)));
+        return Ok(());
+    }
+    let numbers = row.corner_uvs.len();
+    if numbers != 2 * count {
+        return Err(format!(
+            "has {numbers} numbers in `{CORNER_UVS}` of face {at}, not two for each of its {count} corners"
+        ));
+    }
+    let too_many = |_| "has more texture coordinates than can be counted".to_owned();
+    let first = u32::try_from(polygons.uvs.len()).map_err(too_many)?;
+    for uv in row.corner_uvs.as_chunks::<2>().0 {
+        polygons.uvs.push(finite(*uv, "face", at)?);
+    }
+    polygons.push(corners.into_iter().zip((first..).map(Some)));
+    Ok(())
 }
 
 fn index(i: i64, kind: &str, at: usize) -> Result<u32, String> {
@@ -124,7 +202,7 @@ fn index(i: i64, kind: &str, at: usize) -> Result<u32, String> {
 
 /// The triangles of strips, which -1 ends: each corner from the third on makes one with the two
 /// before it, and every other triangle of a strip runs backwards.
-fn strips(at: usize, corners: &[i64], polygons: &mut Polygons) -> Result<(), String> {
+fn strips(at: usize, corners: &[i64], uvs: &Uvs, polygons: &mut Polygons) -> Result<(), String> {
     for strip in corners.split(|i| *i == -1) {
         let strip = strip.iter().map(|i| index(*i, "tristrips", at));
         let strip = strip.collect::<Result<Vec<u32>, String>>()?;
@@ -134,28 +212,33 @@ fn strips(at: usize, corners: &[i64], polygons: &mut Polygons) -> Result<(), Str
         for (i, [a, b, c]) in corners.enumerate() {
             // A corner said twice turns a strip round; the triangle is not meant to be seen.
             if a != b && b != c && c != a {
-                polygons.push(if i.is_multiple_of(2) {
+                let corners = if i.is_multiple_of(2) {
                     [a, b, c]
                 } else {
                     [b, a, c]
-                });
+                };
+                polygons.push(corners.map(|i| uvs.corner(i)));
             }
         }
     }
     Ok(())
 }
 
-/// What counts of a row of any element: a place, or corners.
+/// What counts of a row of any element: a place and texture coordinates, or corners and theirs.
 struct Row {
     place: DVec3,
+    uvs: [[f64; 2]; UVS.len()],
     corners: Vec<i64>,
+    corner_uvs: Vec<f64>,
 }
 
 impl PropertyAccess for Row {
     fn new() -> Self {
         Row {
             place: DVec3::NAN,
+            uvs: [[f64::NAN; 2]; UVS.len()],
             corners: Vec::new(),
+            corner_uvs: Vec::new(),
         }
     }
 
@@ -168,6 +251,12 @@ impl PropertyAccess for Row {
                 Property::ListUShort(v) => v.into_iter().map(i64::from).collect(),
                 Property::ListInt(v) => v.into_iter().map(i64::from).collect(),
                 Property::ListUInt(v) => v.into_iter().map(i64::from).collect(),
+                _ => return PropertyAccessResult::Ignored,
+            };
+        } else if name == CORNER_UVS {
+            self.corner_uvs = match value {
+                Property::ListFloat(v) => v.into_iter().map(f64::from).collect(),
+                Property::ListDouble(v) => v,
                 _ => return PropertyAccessResult::Ignored,
             };
         } else if let Some(coordinate) = self.coordinate(name) {
@@ -195,7 +284,10 @@ impl Row {
             "x" => Some(&mut self.place.x),
             "y" => Some(&mut self.place.y),
             "z" => Some(&mut self.place.z),
-            _ => None,
+            _ => {
+                let at = UVS.as_flattened().iter().position(|uv| *uv == name)?;
+                self.uvs.as_flattened_mut().get_mut(at)
+            }
         }
     }
 }
@@ -205,92 +297,5 @@ fn binary(bytes: &mut &[u8], encoding: Encoding, element: &ElementDef) -> Result
     match encoding {
         Encoding::BinaryBigEndian => parser.read_big_endian_element(bytes, element),
         _ => parser.read_little_endian_element(bytes, element),
-    }
-}
-
-/// The lines after the header of an ascii file, one for each row.
-///
-/// Not left to the parser: what is said in decimals is a number, whatever type the header calls it,
-/// so that a coordinate keeps all its digits.
-struct Lines<'a> {
-    rest: &'a [u8],
-    line: usize,
-}
-
-impl<'a> Lines<'a> {
-    fn after(reader: &mut Reader<&'a [u8]>) -> Self {
-        Lines {
-            rest: reader.get_ref(),
-            line: reader.line().saturating_sub(1),
-        }
-    }
-
-    /// The next line that is not empty, as text.
-    fn next(&mut self, element: &str) -> Result<String, String> {
-        loop {
-            let mut line = Vec::new();
-            self.line += 1;
-            match self.rest.read_until(b'\n', &mut line) {
-                Ok(0) => {
-                    let what = format!("end of file where a row of `{element}` should be");
-                    return Err(improper(&what));
-                }
-                Ok(_) if line.iter().all(u8::is_ascii_whitespace) => {}
-                Ok(_) => return Ok(String::from_utf8_lossy(&line).into_owned()),
-                Err(e) => return Err(format!("cannot be read: {e}")),
-            }
-        }
-    }
-
-    fn row(&mut self, element: &ElementDef) -> Result<Row, String> {
-        let text = self.next(&element.name)?;
-        let line = self.line;
-        let complain = |what: String| improper(&format!("Line {line}: {what}"));
-        let mut words = text.split_whitespace();
-        let mut next = |name: &str| {
-            let lacks = || complain(format!("`{name}` of element `{}` is missing", element.name));
-            words.next().ok_or_else(lacks)
-        };
-        let real = |word: &str| {
-            let value = word.parse::<f64>().ok();
-            value.ok_or_else(|| complain(format!("{:?} is not a number", start(word))))
-        };
-        let whole = |word: &str| {
-            let value = word.parse::<i64>().ok();
-            value.ok_or_else(|| complain(format!("{:?} is not a whole number", start(word))))
-        };
-        let mut row = Row::new();
-        for (name, property) in &element.properties {
-            match property.data_type {
-                PropertyType::Scalar(_) => {
-                    let value = real(next(name)?)?;
-                    if let Some(coordinate) = row.coordinate(name) {
-                        *coordinate = value;
-                    }
-                }
-                PropertyType::List(..) => {
-                    let count = whole(next(name)?)?;
-                    let is_corners = CORNERS.contains(&name.as_str());
-                    for _ in 0..count {
-                        let word = next(name)?;
-                        if is_corners {
-                            row.corners.push(whole(word)?);
-                        } else {
-                            real(word)?;
-                        }
-                    }
-                    if count < 0 {
-                        return Err(complain(format!("a list of {count} numbers")));
-                    }
-                }
-            }
-        }
-        match words.next() {
-            None => Ok(row),
-            Some(_) => Err(complain(format!(
-                "a row of `{}` has more numbers than the header says",
-                element.name
-            ))),
-        }
     }
 }

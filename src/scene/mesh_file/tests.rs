@@ -22,14 +22,14 @@ fn every_way_to_write_a_triangle_in_an_obj_file_is_that_triangle() {
     let expected = Mesh {
         vertices: corner_places(),
         triangles: vec![[0, 1, 2]],
+        ..Mesh::default()
     };
     let faces = [
         "f 1 2 3",
         "f -3 -2 -1",
-        "f 1/4 2/5 3/6",
+        "f 1/ 2/ 3/",
         "f 1//7 2//8 3//9",
-        "f 1/4/7 2/5/8 -1/-1/-1",
-        "f 1/ 2// 3/4/",
+        "f 1/ 2// -1//-1",
         "fo 1 2 3",
         "  f\t1  2 3  ",
         "f 1 2 3 # the only face",

@@ -1,0 +1,38 @@
+//! Shapes that are not simply where they are: their place is asked for ray by ray.
+
+use super::{Aabb, Crossing, Instance, Moving, PreparedRay, Primitive, Ray, Surface};
+
+/// A shape under a transformation.
+#[derive(Clone, Debug)]
+pub enum Transformed {
+    /// That changes with time.
+    Moving(Moving),
+    /// That puts a mesh, or a shape of one's own, in its place.
+    Instance(Instance),
+}
+
+impl Transformed {
+    /// The surface at an intersection with this ray.
+    pub fn surface(&self, ray: &Ray, crossing: Crossing) -> Surface {
+        match self {
+            Transformed::Moving(shape) => shape.surface(ray, crossing),
+            Transformed::Instance(shape) => shape.surface(ray, crossing),
+        }
+    }
+}
+
+impl Primitive for Transformed {
+    fn bounds(&self) -> Aabb {
+        match self {
+            Transformed::Moving(shape) => shape.bounds(),
+            Transformed::Instance(shape) => shape.bounds(),
+        }
+    }
+
+    fn cross(&self, ray: &PreparedRay, t_max: f32) -> Option<Crossing> {
+        match self {
+            Transformed::Moving(shape) => shape.cross(ray, t_max),
+            Transformed::Instance(shape) => shape.cross(ray, t_max),
+        }
+    }
+}
