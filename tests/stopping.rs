@@ -12,6 +12,7 @@ use halfdisk::scene::gallery::{load, load_with};
 use halfdisk::scene::value::Albedo;
 use halfdisk::scene::{Scene, Tracer};
 use halfdisk::stats::Estimate;
+use halfdisk::time::Moment;
 use std::sync::atomic::{AtomicU64, Ordering};
 use std::time::{Duration, Instant};
 
@@ -45,7 +46,7 @@ impl Progress for Work {
     fn stop(&self) -> bool {
         false
     }
-    fn elapsed(&self, _: Instant) -> Duration {
+    fn elapsed(&self, _: Moment) -> Duration {
         Duration::from_millis(self.0.load(Ordering::Relaxed))
     }
 }

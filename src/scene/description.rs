@@ -102,7 +102,7 @@ pub struct Camera {
     /// A point it looks at.
     pub to: Triple,
     /// A direction that is up in the picture.
-    #[serde(default = "up")]
+    #[serde(default)]
     pub up: Direction,
     /// Full angle across the image height.
     pub fov: Fov,
@@ -120,19 +120,15 @@ pub struct Camera {
 impl Default for Camera {
     fn default() -> Self {
         Camera {
-            from: Triple([0.0; 3]),
+            from: Triple::default(),
             to: Triple([0.0, 0.0, -1.0]),
-            up: up(),
-            fov: Fov(40.0),
-            lens_radius: NotNegative(0.0),
+            up: Direction::default(),
+            fov: Fov::default(),
+            lens_radius: NotNegative::default(),
             focus: None,
-            shutter: Shutter([0.0; 2]),
+            shutter: Shutter::default(),
         }
     }
-}
-
-fn up() -> Direction {
-    Direction([0.0, 1.0, 0.0])
 }
 
 /// The film.
@@ -192,7 +188,7 @@ pub enum Material {
         /// Share refracted.
         kt: Textured<Albedo>,
         /// Index of refraction behind the surface.
-        #[serde(default = "usual_glass")]
+        #[serde(default)]
         ior: Ior,
     },
 }
@@ -211,12 +207,16 @@ impl Material {
     }
 }
 
-fn usual_glass() -> Ior {
-    Ior(1.5)
+/// Grey, diffuse.
+impl Default for Material {
+    fn default() -> Self {
+        let albedo = Textured::default();
+        Material::Lambert { albedo }
+    }
 }
 
 /// Something with a surface: a material, an emission or both, and a shape.
-#[derive(Clone, Debug, Deserialize)]
+#[derive(Clone, Debug, Default, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Object {
     /// The name of a material; without one the surface absorbs everything.
@@ -240,18 +240,14 @@ impl From<Shape> for Object {
     /// The shape where it is, neither made of anything nor shining.
     fn from(shape: Shape) -> Self {
         Object {
-            material: None,
-            emits: None,
-            two_sided: None,
-            transform: Transform::default(),
-            motion: Triple::default(),
             shape,
+            ..Object::default()
         }
     }
 }
 
 /// Scale first, then rotation, then translation.
-#[derive(Clone, Debug, Deserialize)]
+#[derive(Clone, Debug, Default, Deserialize)]
 #[serde(default, deny_unknown_fields)]
 pub struct Transform {
     /// One factor, or one for each axis.
@@ -262,18 +258,8 @@ pub struct Transform {
     pub translate: Triple,
 }
 
-impl Default for Transform {
-    fn default() -> Self {
-        Transform {
-            scale: Scale([1.0; 3]),
-            rotate: None,
-            translate: Triple::default(),
-        }
-    }
-}
-
 /// A rotation about an axis through the origin, counter-clockwise seen from the axis' tip.
-#[derive(Clone, Debug, Deserialize)]
+#[derive(Clone, Debug, Default, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Rotation {
     /// The axis.
@@ -339,6 +325,17 @@ pub enum Shape {
     },
 }
 
+/// The unit sphere.
+impl Default for Shape {
+    fn default() -> Self {
+        Shape::Sphere {
+            center: Triple::default(),
+            radius: Positive::default(),
+            inward: false,
+        }
+    }
+}
+
 /// A light without a surface.
 #[derive(Clone, Debug, Deserialize)]
 #[serde(rename = "kind of light", rename_all = "snake_case")]
@@ -360,8 +357,18 @@ pub enum Light {
     },
 }
 
+/// A point at the origin.
+impl Default for Light {
+    fn default() -> Self {
+        Light::Point {
+            position: Triple::default(),
+            intensity: Emission::default(),
+        }
+    }
+}
+
 /// What is seen beyond the scene.
-#[derive(Clone, Debug, Deserialize)]
+#[derive(Clone, Debug, Default, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Environment {
     /// Where its light comes from.
@@ -381,4 +388,11 @@ pub enum Sky {
     Radiance(Radiance),
     /// `.exr`, `.hdr` or `.png` in latitude and longitude, relative to the scene file.
     Image(PathBuf),
+}
+
+/// Black.
+impl Default for Sky {
+    fn default() -> Self {
+        Sky::Radiance(Radiance::default())
+    }
 }
