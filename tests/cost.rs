@@ -174,7 +174,8 @@ fn stopped_it_keeps_the_replicates_that_are_complete() {
     assert!(list.interrupted && list.methods.iter().all(|m| m.sizes.len() == 3));
     let (whole, _) = run(&scene, &methods, &DESIGN);
     for (few, all) in some.methods.iter().zip(&whole.methods) {
-        for (a, b) in few.runs.iter().flatten().zip(all.runs.iter().flatten()) {
+        let [few, all] = [few, all].map(|runs| runs.study.runs.iter().flatten());
+        for (a, b) in few.zip(all) {
             assert_eq!((a.square, a.rays), (b.square, b.rays), "the same pictures");
         }
     }

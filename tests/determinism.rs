@@ -169,7 +169,7 @@ fn scale(said: &mut Description, s: f64) {
             }
             | Shape::Triangle { a, b, c } => [a, b, c].into_iter().for_each(point),
             Shape::Box { min, max } => [min, max].into_iter().for_each(point),
-            Shape::Mesh { .. } => {}
+            Shape::Mesh { .. } | Shape::Custom(_) => {}
         }
         point(&mut object.motion);
         point(&mut object.transform.translate);

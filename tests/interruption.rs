@@ -99,7 +99,7 @@ fn what_is_kept_of_an_estimator_is_a_design_of_fewer_replicates() {
         ..design
     };
     // The slope of very few replicates is not a number, which is equal to nothing.
-    let text = |c: &Convergence| c.to_json().unwrap();
+    let text = |c: &Convergence| serde_json::to_string(c).unwrap();
     assert_eq!(text(&kept), text(&converge(&estimator, &fewer)));
     let nothing = converge_watched(&estimator, &design, &stop_after(0));
     assert!(nothing.is_none());

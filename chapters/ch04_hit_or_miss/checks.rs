@@ -3,7 +3,6 @@
 use halfdisk::desk::{Desk, Number};
 use halfdisk::experiment::convergence::Convergence;
 use halfdisk::stats::Estimate;
-use halfdisk::stats::slope::Insufficient;
 use rayon::prelude::*;
 use std::f64::consts::PI;
 
@@ -37,7 +36,7 @@ pub fn checked(desk: &mut Desk, name: &str, says: &str, [value, error, exact]: [
 
 /// Records the slope of an error against samples; how far above the truth, in standard errors.
 pub fn slope(desk: &mut Desk, run: &Convergence, exact: f64) -> f64 {
-    let (Ok(fit) | Err(Insufficient::Wide(fit))) = run.fit else {
+    let Some(fit) = run.line() else {
         return f64::INFINITY;
     };
     let short = run.name.trim_start_matches("sample-");

@@ -9,7 +9,6 @@ use halfdisk::experiment::convergence::{Convergence, Design, Estimator, converge
 use halfdisk::experiment::named;
 use halfdisk::sampling::stream::Stream;
 use halfdisk::space::Solid;
-use halfdisk::stats::slope::Insufficient;
 
 /// Estimators under a strip of light, and their names in the chart.
 const LAMP: [(&str, &str); 4] = [
@@ -96,7 +95,7 @@ fn run(desk: &Desk, name: &str, short: &str) -> Option<Convergence> {
 
 /// Records the slope of one of the runs.
 fn record(desk: &mut Desk, name: &str, run: &Convergence, exact: Option<f64>) {
-    if let Ok(fit) | Err(Insufficient::Wide(fit)) = &run.fit {
+    if let Some(fit) = run.line() {
         let says = format!("slope of the error: {}", run.name);
         let slope = Number::new(&says, fit.line.slope);
         let error = Some(fit.std_error);

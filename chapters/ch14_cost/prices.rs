@@ -72,7 +72,7 @@ pub fn work(desk: &mut Desk) -> Result<Prices, DeskError> {
     let runs = measured
         .methods
         .iter()
-        .flat_map(|m| m.runs.iter().flatten());
+        .flat_map(|m| m.study.runs.iter().flatten());
     let base = list.find(BASE).and_then(|m| Some((m, *m.sizes.last()?)));
     let (variance, rays_per_sample) = base.map_or((0.0, 1.0), |(m, last)| {
         let rays = m.rays_per_sample;

@@ -2,11 +2,11 @@
 
 use halfdisk::desk::{Desk, DeskError, Number};
 use halfdisk::experiment::named;
-use halfdisk::experiment::noise::{self, Found};
+use halfdisk::experiment::noise;
 use halfdisk::integrators::Path;
 use halfdisk::render::{Options, Session, render};
 use halfdisk::scene::gallery;
-use halfdisk::stats::Estimate;
+use halfdisk::stats::{Estimate, Measurement};
 
 /// From 1000 samples to 2000, and from 20 000 to 21 000.
 pub fn falls(desk: &mut Desk) -> Result<(), DeskError> {
@@ -17,27 +17,25 @@ pub fn falls(desk: &mut Desk) -> Result<(), DeskError> {
         (lamp.run)(1000, seed << 32 | u64::from(block))
     });
     // ANCHOR_END: falls
-    let percent = |f: Found| (100.0 * f.value, 100.0 * f.error);
-    let plain = |f: Found| (f.value, f.error);
     let root = |a: f64, b: f64| 100.0 * (1.0 - (a / b).sqrt());
     let ratio = (1.0 - 0.5_f64.sqrt()) / (0.05_f64.sqrt() - (1.0 / 21.0_f64).sqrt());
-    for (name, says, (value, error), exact) in [
+    for (name, says, Measurement { value, error }, exact) in [
         (
             "early",
             "noise falls from 1000 to 2000 samples by, %",
-            percent(found.one_to_two),
+            found.one_to_two.percent(),
             root(1.0, 2.0),
         ),
         (
             "late",
             "noise falls from 20 000 to 21 000 samples by, %",
-            percent(found.twenty_to_more),
+            found.twenty_to_more.percent(),
             root(20.0, 21.0),
         ),
         (
             "ratio",
             "the first fall over the second",
-            plain(found.ratio),
+            found.ratio,
             ratio,
         ),
     ] {

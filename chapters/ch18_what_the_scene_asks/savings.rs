@@ -3,7 +3,7 @@
 use crate::{FINAL, load};
 use halfdisk::chart::{Bar, BarChart, BarGroup};
 use halfdisk::desk::{Desk, DeskError, Number};
-use halfdisk::effects::measure::{Difference, Setup, difference};
+use halfdisk::effects::measure::{Difference, Setup, Times, difference};
 use halfdisk::effects::without::Without;
 use halfdisk::integrators::Path;
 use halfdisk::render::{Options, Rendered, render};
@@ -29,14 +29,14 @@ pub fn worth(desk: &mut Desk) -> Result<u64, DeskError> {
         let name = effect.name().replace('-', "_");
         let says = format!("without {}: light that is missing", effect.name());
         let number = Number {
-            error: Some(100.0 * found.share_error),
-            ..Number::new(&says, 100.0 * found.share).unit("%")
+            error: Some(100.0 * found.share.error),
+            ..Number::new(&says, 100.0 * found.share.value).unit("%")
         };
         desk.number(&format!("worth_{name}"), number);
         let says = format!("without {}: mean squared relative error", effect.name());
         let number = Number {
-            error: Some(found.rel_mse_error),
-            ..Number::new(&says, found.rel_mse)
+            error: Some(found.rel_mse.error),
+            ..Number::new(&says, found.rel_mse.value)
         };
         desk.number(&format!("wrong_{name}"), number);
         let says = format!("without {}: rays with, over rays without", effect.name());
@@ -69,12 +69,12 @@ pub fn absent(desk: &mut Desk) -> Result<u64, DeskError> {
         desk.known(&format!("rays_all_{name}"), &says, found.rays, 1.0);
         time(desk, &format!("all_{name}"), &found);
         rays += found.traced + traced;
-        let [ratio, low, high] = found.time();
+        let Times { value, low, high } = found.time;
         groups.push(BarGroup {
             name: name.to_owned(),
             bars: vec![Bar {
                 label: String::new(),
-                value: 100.0 * (ratio - 1.0),
+                value: 100.0 * (value - 1.0),
                 error: Some(50.0 * (high - low)),
             }],
         });
@@ -111,11 +111,11 @@ fn differing_pixels(desk: &Desk, a: &Scene, b: &Scene) -> (usize, u64) {
 
 /// A ratio of times with its interval; it differs from run to run.
 fn time(desk: &mut Desk, name: &str, found: &Difference) {
-    let [ratio, low, high] = found.time();
+    let Times { value, low, high } = found.time;
     desk.value(
         &format!("seconds_{name}"),
         "  ratio of the times",
-        two_digits(ratio),
+        two_digits(value),
     );
     desk.value(&format!("seconds_{name}_low"), "  from", two_digits(low));
     desk.value(

@@ -1,19 +1,23 @@
 //! `halfdisk classify`.
 
-use super::{Stop, answer, stem};
+use super::answer::answer;
+use super::{Stop, folder, reduced};
 use crate::desk::{Bar, on_ctrl_c, tell, whole};
 use crate::effects::by_class::by_class;
 use crate::effects::language::{self, Class, Finds, finds};
-use crate::effects::words::{Words, words_watched};
+use crate::effects::words::{Share, Words, words_watched};
 use crate::integrators::{Entry, LADDER, Path};
 use crate::notation::Word;
 use crate::numeric::count;
-use crate::output::{self, Display, Provenance};
+use crate::output::{self, Display as Shades, Provenance};
 use crate::render::{Film, Options, Recorded};
 use crate::sampling::stream::Sampler;
 use crate::scene::{Scene, gallery};
+use crate::stats::Measurement;
 use clap::Args;
-use serde_json::json;
+use serde::Serialize;
+use std::collections::BTreeMap;
+use std::fmt::{self, Display, Formatter};
 use std::path::PathBuf;
 
 /// Sort a scene's light by its paths, written as words from the light to the eye: L light, D diffuse,
@@ -59,23 +63,53 @@ const REPLICATES: u32 = 4;
 /// Height of pictures nobody asked for in another size.
 const HEIGHT: u32 = 256;
 
-/// The same shape at most so high.
-fn small([width, height]: [u32; 2]) -> [u32; 2] {
-    let smaller = height.min(HEIGHT);
-    let narrower = u64::from(width) * u64::from(smaller) / u64::from(height);
-    [narrower.max(1) as u32, smaller]
+/// A scene's light by its paths.
+#[derive(Serialize)]
+struct Sorted {
+    scene: String,
+    mean: Option<Measurement>,
+    words: Option<Vec<OfWord>>,
+    classes: Vec<OfClass>,
+    strip: String,
+    sum_is_off_by: f64,
+    interrupted: bool,
+    /// All paths, as an expression.
+    #[serde(skip)]
+    paths: String,
+    /// Words to print.
+    #[serde(skip)]
+    shown: usize,
+    /// What integrators miss, a line each.
+    #[serde(skip)]
+    missing: String,
 }
 
-/// A class and its picture.
-struct Sorted {
+/// The light of a word.
+#[derive(Serialize)]
+struct OfWord {
+    word: String,
+    share: Measurement,
+    paths: u64,
+    /// Its part of the picture's mean.
+    #[serde(skip)]
+    light: f64,
+}
+
+/// The light of a class.
+#[derive(Serialize)]
+struct OfClass {
     class: Class,
-    film: Film,
+    words: &'static str,
+    share: Measurement,
+    found_by: BTreeMap<&'static str, Finds>,
 }
 
 impl Classify {
     pub(super) fn run(self) -> Result<(), Stop> {
         let scene = gallery::load(&self.scene)?;
-        let size = self.size.unwrap_or_else(|| small(scene.size));
+        let size = self
+            .size
+            .unwrap_or_else(|| reduced(scene.size, scene.size[1], HEIGHT));
         let scene = scene.sized(size);
         let Some(paths) = language::of_scene(&scene.inventory) else {
             return Err(Stop::Input(format!(
@@ -83,9 +117,7 @@ impl Classify {
                 scene.name
             )));
         };
-        let folder = self.out.clone();
-        let folder =
-            folder.unwrap_or_else(|| PathBuf::from("out/classify").join(stem(&self.scene)));
+        let folder = folder(&self.out, "classify", &self.scene);
         let strip = folder.join("strip.png");
         output::prepare(&strip, &scene)?;
 
@@ -110,16 +142,10 @@ impl Classify {
             tell("interrupted before the first sample: nothing is written");
             return Err(Stop::Interrupted);
         }
-        let sorted: Vec<Sorted> = (classes.into_iter().zip(pictures))
-            .map(|(class, film)| Sorted { class, film })
-            .collect();
         let whole = &rendered.film;
-        let off = largest_difference(&sorted, whole);
-        let films = sorted.iter().map(|s| &s.film).chain([whole]);
-        let films: Vec<&Film> = films.collect();
+        let films: Vec<&Film> = pictures.iter().chain([whole]).collect();
         let kept =
-            output::write_somewhere(&strip, &Film::beside(&films), Display::Radiance, &facts)?;
-        let strip = &kept.path;
+            output::write_somewhere(&strip, &Film::beside(&films), Shades::Radiance, &facts)?;
 
         let quarter = Options {
             spp: self.spp / REPLICATES,
@@ -131,22 +157,22 @@ impl Classify {
             false => words_watched(&scene, &path, &quarter, REPLICATES, &bar),
         };
         drop(bar);
-        if self.json {
-            let words = words.as_ref();
-            let mut object = as_json(&scene, words, &sorted, &strip.display().to_string());
-            object["sum_is_off_by"] = json!(off);
-            object["interrupted"] = json!(words.is_none());
-            answer(&(serde_json::to_string_pretty(&object)? + "\n"))?;
-        } else {
-            tell(format_args!("wrote {}", strip.display()));
-            let mut text = format!("{}: paths {paths}\n", scene.name);
-            if let Some(words) = &words {
-                text += &describe_words(words, self.words);
-            }
-            text += &describe_classes(&scene, &sorted);
-            text += &format!("the classes add up to the picture within {off:.0e} of its mean\n");
-            answer(&text)?;
+        let sorted = Sorted {
+            mean: words.as_ref().map(|words| words.total.measurement()),
+            words: words.as_ref().map(by_word),
+            classes: by_class_of(&scene, &classes, &pictures),
+            strip: kept.path.display().to_string(),
+            sum_is_off_by: largest_difference(&pictures, whole),
+            interrupted: words.is_none(),
+            paths: paths.to_string(),
+            shown: self.words,
+            missing: LADDER.iter().filter_map(|e| missing(e, &scene)).collect(),
+            scene: scene.name,
+        };
+        if !self.json {
+            tell(format_args!("wrote {}", sorted.strip));
         }
+        answer(&sorted, self.json)?;
         if let Some(what) = kept.complaint() {
             return Err(Stop::Failure(what));
         }
@@ -157,7 +183,7 @@ impl Classify {
             ));
             return Err(Stop::Interrupted);
         }
-        if words.is_none() {
+        if sorted.interrupted {
             tell("interrupted: all classes are kept, the words were not counted");
             return Err(Stop::Interrupted);
         }
@@ -167,8 +193,8 @@ impl Classify {
 
 /// By how much the sum of all classes misses the whole picture, in the worst pixel, relative to the
 /// picture's mean: rounding, for both come from the same samples.
-fn largest_difference(sorted: &[Sorted], whole: &Film) -> f64 {
-    let pictures: Vec<_> = sorted.iter().map(|s| s.film.picture().values).collect();
+fn largest_difference(pictures: &[Film], whole: &Film) -> f64 {
+    let pictures: Vec<_> = pictures.iter().map(|film| film.picture().values).collect();
     let mut worst = 0.0_f64;
     for (i, pixel) in whole.picture().values.iter().enumerate() {
         for c in 0..3 {
@@ -179,58 +205,92 @@ fn largest_difference(sorted: &[Sorted], whole: &Film) -> f64 {
     worst / whole.mean().0
 }
 
-fn percent(value: f64, error: f64) -> String {
-    format!("{:>7.3} ± {:.3} %", 100.0 * value, 100.0 * error)
-}
-
-fn describe_words(words: &Words, shown: usize) -> String {
+fn by_word(words: &Words) -> Vec<OfWord> {
     let total = words.total.mean();
-    let mut by_share: Vec<_> = words.shares.iter().collect();
-    by_share.sort_by(|a, b| b.1.light.mean().total_cmp(&a.1.light.mean()));
-    let mut text = "\nword         share of the light\n".to_owned();
-    for (word, share) in by_share.iter().take(shown) {
-        let light = &share.light;
-        let line = percent(light.mean() / total, light.std_error() / total);
-        text += &format!("{:<12} {line}\n", word.to_string());
-    }
-    if let Some(rest) = by_share.get(shown..).filter(|rest| !rest.is_empty()) {
-        let light: f64 = rest.iter().map(|(_, share)| share.light.mean()).sum();
-        let label = count(rest.len(), "other", "others");
-        text += &format!("{label:<12} {:>7.3} %\n", 100.0 * light / total);
-    }
-    text
+    let of = |(word, share): (&Word, &Share)| OfWord {
+        word: word.to_string(),
+        share: share.light.measurement().map(|x| x / total),
+        paths: share.paths,
+        light: share.light.mean(),
+    };
+    words.shares.iter().map(of).collect()
 }
 
-fn describe_classes(scene: &Scene, sorted: &[Sorted]) -> String {
-    let total: f64 = sorted.iter().map(|s| s.film.mean().0).sum();
-    let mut text = format!("\n{:<35} {:<25} share of the light\n", "class", "words");
-    for Sorted { class, film } in sorted {
-        let (mean, error) = film.mean();
-        let share = percent(mean / total, error / total);
-        text += &format!("{:<35} {:<25} {share}\n", class.name(), class.text());
-    }
-    text += &format!(
-        "\n{:<25} {}\n",
-        "found by",
-        LADDER.map(|entry| entry.name).join("  ")
-    );
-    for Sorted { class, .. } in sorted {
-        text += &format!("{:<26}", class.text());
-        for entry in LADDER {
-            let mark = match finds(&entry, *class, &scene.inventory) {
-                Finds::All => "all",
-                Finds::Part => "part",
-                Finds::Nothing | Finds::Absent => "-",
-            };
-            text += &format!("{mark:<width$}", width = entry.name.len() + 2);
+fn by_class_of(scene: &Scene, classes: &[Class], pictures: &[Film]) -> Vec<OfClass> {
+    let sum: f64 = pictures.iter().map(|film| film.mean().0).sum();
+    let of = |(class, film): (&Class, &Film)| OfClass {
+        class: *class,
+        words: class.text(),
+        share: Measurement::from(film.mean()).map(|x| x / sum),
+        found_by: LADDER
+            .map(|entry| (entry.name, finds(&entry, *class, &scene.inventory)))
+            .into(),
+    };
+    classes.iter().zip(pictures).map(of).collect()
+}
+
+fn percent(share: Measurement) -> String {
+    let Measurement { value, error } = share.percent();
+    format!("{value:>7.3} ± {error:.3} %")
+}
+
+impl Sorted {
+    /// The words that bring most of the light.
+    fn words(&self, words: &[OfWord], f: &mut Formatter) -> fmt::Result {
+        let mut words: Vec<&OfWord> = words.iter().collect();
+        words.sort_by(|a, b| b.light.total_cmp(&a.light));
+        writeln!(f, "\nword         share of the light")?;
+        let (shown, rest) = words.split_at(self.shown.min(words.len()));
+        for word in shown {
+            writeln!(f, "{:<12} {}", word.word, percent(word.share))?;
         }
-        text = text.trim_end().to_owned() + "\n";
+        if rest.is_empty() {
+            return Ok(());
+        }
+        let light: f64 = rest.iter().map(|word| word.light).sum();
+        let total = self.mean.map_or(1.0, |mean| mean.value);
+        let label = count(rest.len(), "other", "others");
+        writeln!(f, "{label:<12} {:>7.3} %", 100.0 * light / total)
     }
-    let missed: Vec<String> = LADDER
-        .iter()
-        .filter_map(|entry| missing(entry, scene))
-        .collect();
-    text + &missed.concat()
+}
+
+impl Display for Sorted {
+    fn fmt(&self, f: &mut Formatter) -> fmt::Result {
+        writeln!(f, "{}: paths {}", self.scene, self.paths)?;
+        self.words
+            .iter()
+            .try_for_each(|words| self.words(words, f))?;
+        writeln!(f, "\n{:<35} {:<25} share of the light", "class", "words")?;
+        for OfClass {
+            class,
+            words,
+            share,
+            ..
+        } in &self.classes
+        {
+            writeln!(f, "{:<35} {words:<25} {}", class.name(), percent(*share))?;
+        }
+        let names = LADDER.map(|entry| entry.name);
+        writeln!(f, "\n{:<25} {}", "found by", names.join("  "))?;
+        for class in &self.classes {
+            let mut line = format!("{:<26}", class.words);
+            for name in names {
+                let mark = match class.found_by[name] {
+                    Finds::All => "all",
+                    Finds::Part => "part",
+                    Finds::Nothing | Finds::Absent => "-",
+                };
+                line += &format!("{mark:<width$}", width = name.len() + 2);
+            }
+            writeln!(f, "{}", line.trim_end())?;
+        }
+        let off = self.sum_is_off_by;
+        write!(f, "{}", self.missing)?;
+        writeln!(
+            f,
+            "the classes add up to the picture within {off:.0e} of its mean"
+        )
+    }
 }
 
 /// The first words an integrator misses of the light of lamps with extent.
@@ -247,57 +307,4 @@ fn missing(entry: &Entry, scene: &Scene) -> Option<String> {
     let missing = all.light_first().difference(found.light_first());
     let words: Vec<String> = missing.shortest(6).iter().map(Word::to_string).collect();
     (!words.is_empty()).then(|| format!("{} misses {} …\n", entry.name, words.join(", ")))
-}
-
-fn as_json(
-    scene: &Scene,
-    words: Option<&Words>,
-    sorted: &[Sorted],
-    strip: &str,
-) -> serde_json::Value {
-    let by_word = words.map(|words| -> Vec<_> {
-        let total = words.total.mean();
-        let shares = words.shares.iter();
-        shares
-            .map(|(word, share)| {
-                json!({
-                    "word": word.to_string(),
-                    "share": {
-                        "value": share.light.mean() / total,
-                        "error": share.light.std_error() / total,
-                    },
-                    "paths": share.paths,
-                })
-            })
-            .collect()
-    });
-    let sum: f64 = sorted.iter().map(|s| s.film.mean().0).sum();
-    let classes: Vec<_> = sorted
-        .iter()
-        .map(|Sorted { class, film }| {
-            let (mean, error) = film.mean();
-            let found_by: serde_json::Map<String, serde_json::Value> = LADDER
-                .iter()
-                .map(|entry| {
-                    let finds = finds(entry, *class, &scene.inventory);
-                    (entry.name.to_owned(), json!(finds))
-                })
-                .collect();
-            json!({
-                "class": class,
-                "words": class.text(),
-                "share": { "value": mean / sum, "error": error / sum },
-                "found_by": found_by,
-            })
-        })
-        .collect();
-    json!({
-        "scene": scene.name,
-        "mean": words.map(|words| json!({
-            "value": words.total.mean(), "error": words.total.std_error(),
-        })),
-        "words": by_word,
-        "classes": classes,
-        "strip": strip,
-    })
 }

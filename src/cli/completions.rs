@@ -1,6 +1,7 @@
 //! `halfdisk completions`.
 
-use super::{Command, Stop, answer};
+use super::answer::print;
+use super::{Command, Stop};
 use clap::{Args, CommandFactory};
 use clap_complete::Shell;
 
@@ -16,6 +17,6 @@ impl Completions {
         let mut command = Command::command();
         let mut script = Vec::new();
         clap_complete::generate(self.shell, &mut command, "halfdisk", &mut script);
-        answer(&String::from_utf8_lossy(&script))
+        print(&String::from_utf8_lossy(&script))
     }
 }

@@ -1,15 +1,15 @@
 //! `halfdisk converge`.
 
-use super::{Stop, answer, check_folder, save, use_threads};
-use crate::chart::ChartError;
+use super::answer::{List, answer, to_json};
+use super::{Stop, check_folder, drawn, save, use_threads, with_ending};
 use crate::desk::{Bar, on_ctrl_c, tell, whole};
-use crate::experiment::convergence::{Convergence, Design, Estimator, converge_watched};
+use crate::experiment::convergence::{Convergence, Design, Estimator, converge_watched, csv};
 use crate::experiment::named;
 use crate::figures::convergence_chart;
 use crate::numeric::count;
 use clap::Args;
-use serde_json::{Value, json};
-use std::fmt::Write as _;
+use serde::Serialize;
+use std::fmt::{self, Display, Formatter};
 use std::path::PathBuf;
 use std::sync::atomic::Ordering;
 
@@ -68,7 +68,7 @@ const LONGEST_STEM: usize = 80;
 impl Converge {
     pub(super) fn run(self) -> Result<(), Stop> {
         if self.list {
-            return list(self.json);
+            return answer(&List(named::all()), self.json);
         }
         let estimators = chosen(&self.names)?;
         check_folder(&self.out)?;
@@ -80,7 +80,7 @@ impl Converge {
             ..Design::default()
         };
         let stop = on_ctrl_c();
-        let mut runs: Vec<Convergence> = Vec::new();
+        let mut runs = Vec::new();
         for estimator in &estimators {
             runs.extend(converge_watched(
                 estimator,
@@ -94,12 +94,17 @@ impl Converge {
         let whole = runs.iter().filter(|r| r.replicates == self.replicates);
         let done = whole.count();
         // What was finished before a Ctrl-C is kept.
+        let measured = Measured {
+            seed: design.seed,
+            replicates: design.replicates,
+            doublings: design.doublings,
+            estimators: runs,
+        };
+        let runs = &measured.estimators;
         if !runs.is_empty() {
-            let object = as_json(&design, &runs);
-            let json = serde_json::to_string_pretty(&object)? + "\n";
             // The table is worth having where the files cannot be written.
-            let stem = self.write(&runs, &json);
-            answer(&if self.json { json } else { table(&runs) })?;
+            let stem = self.write(&measured);
+            answer(&measured, self.json)?;
             tell(format_args!(
                 "wrote {}.svg, .png, .csv and .json",
                 stem?.display()
@@ -119,30 +124,43 @@ impl Converge {
     }
 
     /// Writes chart and numbers; returns their path without its ending.
-    fn write(&self, runs: &[Convergence], json: &str) -> Result<PathBuf, Stop> {
+    fn write(&self, measured: &Measured) -> Result<PathBuf, Stop> {
+        let runs = &measured.estimators;
         let path = self.out.join(stem(runs));
         let runs_each = count(self.replicates as usize, "run", "runs");
-        let title = match runs {
+        let title = match runs.as_slice() {
             [run] => format!("Error of {}, {runs_each} each", run.name),
             _ => format!("Error against samples, {runs_each} each"),
         };
         let chart = convergence_chart(title, runs);
         let mut files = vec![
-            ("csv", csv(runs).into_bytes()),
-            ("json", json.as_bytes().to_vec()),
+            (with_ending(&path, ".csv"), csv(runs).into_bytes()),
+            (with_ending(&path, ".json"), to_json(measured)?.into_bytes()),
         ];
-        match chart.to_svg().and_then(|svg| Ok((svg, chart.to_png()?))) {
-            Ok((svg, png)) => files.extend([("svg", svg.into_bytes()), ("png", png)]),
+        match drawn(&path, chart.to_svg(), chart.to_png())? {
+            Some(both) => files.extend(both),
             // Estimators without any error have numbers, but no place on logarithmic axes.
-            Err(ChartError::Empty(_)) => tell("note: no error anywhere, so there is no chart"),
-            Err(error) => return Err(Stop::Failure(error.to_string())),
+            None => tell("note: no error anywhere, so there is no chart"),
         }
-        for (ending, bytes) in files {
-            // The stem may have dots of its own: `with_extension` would eat them.
-            let file = PathBuf::from(format!("{}.{ending}", path.display()));
+        for (file, bytes) in files {
             save(&file, bytes)?;
         }
         Ok(path)
+    }
+}
+
+/// What was measured.
+#[derive(Serialize)]
+struct Measured {
+    seed: u64,
+    replicates: u32,
+    doublings: u32,
+    estimators: Vec<Convergence>,
+}
+
+impl Display for Measured {
+    fn fmt(&self, f: &mut Formatter) -> fmt::Result {
+        self.estimators.iter().try_for_each(|run| run.fmt(f))
     }
 }
 
@@ -164,17 +182,6 @@ fn chosen(names: &[String]) -> Result<Vec<Estimator>, Stop> {
     Ok(found)
 }
 
-fn list(json: bool) -> Result<(), Stop> {
-    let all = named::all();
-    if json {
-        let entry = |e: &Estimator| json!({ "name": e.name, "about": e.about, "truth": e.truth, "sizes": e.sizes });
-        let entries: Vec<Value> = all.iter().map(entry).collect();
-        return answer(&(serde_json::to_string_pretty(&entries)? + "\n"));
-    }
-    let line = |e: &Estimator| format!("{:<27} {}\n", e.name, e.about);
-    answer(&all.iter().map(line).collect::<String>())
-}
-
 /// The names joined with `+`, shortened where that makes a long name.
 fn stem(runs: &[Convergence]) -> String {
     let names: Vec<&str> = runs.iter().map(|run| run.name.as_str()).collect();
@@ -190,60 +197,4 @@ fn stem(runs: &[Convergence]) -> String {
             (hash ^ u64::from(byte)).wrapping_mul(0x0100_0000_01b3)
         });
     format!("{others}-{:08x}", mark as u32)
-}
-
-/// One table of all runs under one header.
-fn csv(runs: &[Convergence]) -> String {
-    let mut csv = String::new();
-    for (i, run) in runs.iter().enumerate() {
-        for line in run.to_csv().lines().skip(usize::from(i > 0)) {
-            let _ = writeln!(csv, "{line}");
-        }
-    }
-    csv
-}
-
-fn table(runs: &[Convergence]) -> String {
-    let mut text = String::new();
-    for run in runs {
-        let _ = writeln!(text, "{}, exact {}", run.name, run.truth);
-        let _ = writeln!(text, "{:>10}   error ± its error         variance", "N");
-        for s in &run.sizes {
-            // One run alone knows neither its error nor its variance.
-            let own = match s.rmse_error {
-                own if own.is_finite() => format!("{own:.1e}"),
-                _ => "unknown".to_owned(),
-            };
-            let variance = match s.variance {
-                Some(variance) => format!("{variance:.3e}"),
-                None => "unknown".to_owned(),
-            };
-            let _ = writeln!(
-                text,
-                "{:>10}   {:.3e} ± {own:<10}   {variance}",
-                s.samples, s.rmse
-            );
-        }
-        let _ = writeln!(text, "{}\n", run.slope_text());
-    }
-    text
-}
-
-fn as_json(design: &Design, runs: &[Convergence]) -> Value {
-    let run = |run: &Convergence| {
-        json!({
-            "name": run.name,
-            "truth": run.truth,
-            "sizes": run.sizes,
-            "fit": run.fit.as_ref().ok(),
-            "insufficient": run.fit.as_ref().err().map(ToString::to_string),
-            "says": run.slope_text(),
-        })
-    };
-    json!({
-        "seed": design.seed,
-        "replicates": design.replicates,
-        "doublings": design.doublings,
-        "estimators": runs.iter().map(run).collect::<Vec<_>>(),
-    })
 }

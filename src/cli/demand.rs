@@ -2,14 +2,16 @@
 
 use super::Stop;
 use crate::effects::language::{self, Wanted};
-use crate::effects::measure::{Difference, Setup, difference_watched};
+use crate::effects::measure::{Setup, difference_watched};
 use crate::effects::plan::{demand, never_a_path, reason};
 use crate::effects::without::Without;
 use crate::notation::Expression;
 use crate::render::Progress;
 use crate::scene::{Effect, Scene};
+use crate::stats::Measurement;
 use clap::Args;
-use serde_json::json;
+use serde::Serialize;
+use std::fmt::{self, Display, Formatter};
 
 /// Where help lists these options: named by each, as a heading for what comes next would go on to the
 /// options of the command.
@@ -108,12 +110,7 @@ impl Demand {
 
 /// By how much a picture of what is left differs from that of all light: measured in a small picture.
 /// `None` where it was asked to stop.
-pub(super) fn bias(
-    whole: Scene,
-    left: Setup,
-    spp: u32,
-    progress: &impl Progress,
-) -> Option<Difference> {
+pub(super) fn bias(whole: Scene, left: Setup, spp: u32, progress: &impl Progress) -> Option<Bias> {
     let size = measured_size(whole.size);
     let with = Setup {
         scene: whole.sized(size),
@@ -123,7 +120,11 @@ pub(super) fn bias(
         scene: left.scene.sized(size),
         ..left
     };
-    difference_watched(&with, &without, spp.min(16), 4, progress)
+    let found = difference_watched(&with, &without, spp.min(16), 4, progress)?;
+    Some(Bias {
+        missing: found.share,
+        rel_mse: found.rel_mse,
+    })
 }
 
 /// An expression in letters that every file system takes: what `*`, `?` and `|` stand for is written
@@ -146,46 +147,44 @@ pub(super) fn measured_size([width, height]: [u32; 2]) -> [u32; 2] {
     [width, height].map(|n| ((f64::from(n) * scale) as u32).max(1))
 }
 
-/// A bias for people.
-pub(super) fn bias_line(difference: &Difference) -> String {
-    let (share, error) = (100.0 * difference.share, 100.0 * difference.share_error);
-    let change = if share < 0.0 {
-        format!("has {:.2} ± {error:.2} % more light than it should", -share)
-    } else {
-        format!("lacks {share:.2} ± {error:.2} % of the light")
-    };
-    format!(
-        "left out on purpose, so the picture is biased: it {change}; relative squared error {:.1e} ± \
-         {:.0e}\n",
-        difference.rel_mse, difference.rel_mse_error
-    )
+/// By how much a picture is wrong on purpose.
+#[derive(Clone, Copy, Debug, Serialize)]
+pub(super) struct Bias {
+    /// The share of the light that it lacks.
+    missing: Measurement,
+    /// The mean squared relative error.
+    rel_mse: Measurement,
 }
 
-/// A bias for machines.
-pub(super) fn bias_json(difference: &Difference) -> serde_json::Value {
-    json!({
-        "missing": { "value": difference.share, "error": difference.share_error },
-        "rel_mse": { "value": difference.rel_mse, "error": difference.rel_mse_error },
-    })
+impl Display for Bias {
+    fn fmt(&self, f: &mut Formatter) -> fmt::Result {
+        let Measurement { value, error } = self.missing.percent();
+        let change = if value < 0.0 {
+            format!("has {:.2} ± {error:.2} % more light than it should", -value)
+        } else {
+            format!("lacks {value:.2} ± {error:.2} % of the light")
+        };
+        let Measurement { value, error } = self.rel_mse;
+        write!(
+            f,
+            "left out on purpose, so the picture is biased: it {change}; relative squared error \
+             {value:.1e} ± {error:.0e}"
+        )
+    }
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::stats::Estimate;
 
     #[test]
     fn a_picture_that_is_too_bright_misses_no_light() {
         let line = |share| {
-            bias_line(&Difference {
-                log_time: Estimate::new(),
-                rays: 1.0,
-                traced: 1,
-                share,
-                share_error: 0.0006,
-                rel_mse: 0.01,
-                rel_mse_error: 0.001,
-            })
+            let bias = Bias {
+                missing: (share, 0.0006).into(),
+                rel_mse: (0.01, 0.001).into(),
+            };
+            bias.to_string()
         };
         let dark = line(0.0038);
         assert!(

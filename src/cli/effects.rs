@@ -1,16 +1,18 @@
 //! `halfdisk effects`.
 
+use super::Stop;
+use super::answer::answer;
 use super::demand::{Demand, measured_size};
-use super::{Stop, answer};
 use crate::desk::{Bar, on_ctrl_c, tell, whole};
 use crate::effects::measure::{Difference, Setup, difference_watched};
-use crate::effects::plan::{self, Plan, demand};
+use crate::effects::plan::{self, Plan, demand, plan};
 use crate::effects::without::Without;
 use crate::numeric::count;
 use crate::scene::{Effect, Scene, gallery};
 use clap::Args;
 use indicatif::{ProgressBar, ProgressStyle};
-use serde_json::json;
+use serde::Serialize;
+use std::fmt::{self, Display, Formatter};
 use std::sync::atomic::Ordering;
 
 /// What a scene calls for and why, what is left out and why.
@@ -45,55 +47,55 @@ Examples:
   halfdisk effects lens --measure
       what each effect costs, and what would be wrong without it";
 
+/// What a scene calls for.
+#[derive(Serialize)]
+struct CalledFor {
+    scene: String,
+    #[serde(skip)]
+    about: String,
+    plan: Plan,
+    demand: Option<plan::Demand>,
+    measured: Option<Measurements>,
+}
+
 /// What leaving an effect out would save and lose.
+#[derive(Serialize)]
 struct Measured {
     effect: Effect,
     difference: Difference,
 }
 
 /// The measurements that were asked for, or those made before Ctrl-C.
+#[derive(Serialize)]
 struct Measurements {
     effects: Vec<Measured>,
+    #[serde(rename = "all_effects_on")]
     all_on: Option<Difference>,
     interrupted: bool,
     /// How many there should be.
+    #[serde(skip)]
     wanted: usize,
+    #[serde(skip)]
+    spp: u32,
+    #[serde(skip)]
+    rounds: u32,
 }
 
 impl EffectsOf {
     pub(super) fn run(self) -> Result<(), Stop> {
         let scene = gallery::load(&self.scene)?;
         let setup = self.demand.of(scene.clone())?;
-        let plan = plan::plan(&setup.scene);
-        let left = setup
-            .wanted
-            .as_ref()
-            .and_then(|wanted| demand(&setup.scene.inventory, &wanted.light_first));
-        let measured = match self.measure {
-            true => Some(self.measure(&scene)?),
-            false => None,
+        let wanted = setup.wanted.as_ref();
+        let result = CalledFor {
+            plan: plan(&setup.scene),
+            demand: wanted.and_then(|w| demand(&setup.scene.inventory, &w.light_first)),
+            measured: self.measure.then(|| self.measure(&scene)).transpose()?,
+            scene: scene.name,
+            about: scene.about,
         };
-        let interrupted = measured.as_ref().filter(|m| m.interrupted);
-        let interrupted = interrupted.map(|m| (m.effects.len(), m.wanted));
-        if self.json {
-            let object = json!({
-                "scene": scene.name,
-                "plan": plan,
-                "demand": left,
-                "measured": measured.as_ref().map(as_json),
-            });
-            answer(&(serde_json::to_string_pretty(&object)? + "\n"))?;
-        } else {
-            let mut text = describe(&setup.scene, &plan);
-            if let Some(left) = left {
-                text += &describe_demand(&left);
-            }
-            if let Some(measured) = measured {
-                text += &describe_measurements(&measured, self.spp, self.rounds);
-            }
-            answer(&text)?;
-        }
-        if let Some((done, all)) = interrupted {
+        answer(&result, self.json)?;
+        if let Some(m) = result.measured.filter(|m| m.interrupted) {
+            let (done, all) = (m.effects.len(), m.wanted);
             tell(format_args!("interrupted: kept {done} of {all} effects"));
             return Err(Stop::Interrupted);
         }
@@ -118,6 +120,8 @@ impl EffectsOf {
             effects: Vec::new(),
             all_on: None,
             interrupted: false,
+            spp: self.spp,
+            rounds: self.rounds,
         };
         // The pictures tell nothing of themselves, but ask whether to stop.
         let quiet = Bar::hidden(stop);
@@ -147,107 +151,54 @@ impl EffectsOf {
     }
 }
 
-fn describe(scene: &Scene, plan: &Plan) -> String {
-    let mut text = format!("{}: {}", scene.name, scene.about)
-        .trim_end()
-        .to_owned()
-        + "\n";
-    for (simulated, title) in [(true, "\nsimulated\n"), (false, "\nnot simulated\n")] {
-        let lines: Vec<_> = plan
-            .lines
+impl Display for CalledFor {
+    fn fmt(&self, f: &mut Formatter) -> fmt::Result {
+        writeln!(
+            f,
+            "{}",
+            format!("{}: {}", self.scene, self.about).trim_end()
+        )?;
+        self.plan.fmt(f)?;
+        self.demand.iter().try_for_each(|demand| demand.fmt(f))?;
+        self.measured
             .iter()
-            .filter(|l| l.simulated == simulated)
-            .collect();
-        if !lines.is_empty() {
-            text += title;
+            .try_for_each(|measured| measured.fmt(f))
+    }
+}
+
+impl Display for Measurements {
+    fn fmt(&self, f: &mut Formatter) -> fmt::Result {
+        let spp = count(self.spp as usize, "sample", "samples");
+        let rounds = self.rounds;
+        writeln!(
+            f,
+            "\nmeasured with {spp} per pixel, {rounds} times with and without in turn\n\
+             {:<14} {:<26} {:<22} relative squared error without",
+            "effect", "time with / without", "share of the light"
+        )?;
+        for Measured { effect, difference } in &self.effects {
+            let Difference { time, rel_mse, .. } = difference;
+            let share = difference.share.percent();
+            writeln!(
+                f,
+                "{:<14} {:<26} {:<22} {:.1e} ± {:.0e}",
+                effect.name(),
+                time.to_string(),
+                format!("{:.2} ± {:.2} %", share.value, share.error),
+                rel_mse.value,
+                rel_mse.error
+            )?;
         }
-        for line in lines {
-            text += &format!("  {:<13} {}\n", line.effect.name(), line.reason);
+        if self.effects.iter().any(|m| m.difference.share.value < 0.0) {
+            writeln!(f, "(below zero: the picture is brighter without)")?;
         }
-    }
-    text += &match &plan.paths {
-        Some(paths) => format!("\nlight paths: {paths}\n"),
-        None => "\nlight paths: none, so the picture is black\n".to_owned(),
-    };
-    if let Some(lost) = &plan.out_of_reach {
-        text += &format!("out of reach: {}: {}\n", lost.paths, lost.reason);
-    }
-    for note in &plan.notes {
-        text += &format!("note: {note}\n");
-    }
-    text
-}
-
-fn describe_demand(left: &plan::Demand) -> String {
-    if left.all {
-        return "the demand: every path of the scene\n".to_owned();
-    }
-    format!(
-        "the demand keeps {} …\n        and leaves out {} …\n",
-        left.kept.join(", "),
-        left.left_out.join(", ")
-    )
-}
-
-fn describe_measurements(measured: &Measurements, spp: u32, rounds: u32) -> String {
-    let mut text = format!(
-        "\nmeasured with {} per pixel, {rounds} times with and without in turn\n\
-         {:<14} {:<26} {:<22} relative squared error without\n",
-        count(spp as usize, "sample", "samples"),
-        "effect",
-        "time with / without",
-        "share of the light"
-    );
-    for Measured { effect, difference } in &measured.effects {
-        let share = format!(
-            "{:.2} ± {:.2} %",
-            100.0 * difference.share,
-            100.0 * difference.share_error
-        );
-        text += &format!(
-            "{:<14} {:<26} {share:<22} {:.1e} ± {:.0e}\n",
-            effect.name(),
-            times(difference),
-            difference.rel_mse,
-            difference.rel_mse_error
-        );
-    }
-    if measured.effects.iter().any(|m| m.difference.share < 0.0) {
-        text += "(below zero: the picture is brighter without)\n";
-    }
-    if let Some(all_on) = &measured.all_on {
-        text += &format!(
-            "every effect at work, those that are absent at no strength: {} of the time, the same \
-             picture\n",
-            times(all_on)
-        );
-    }
-    text
-}
-
-fn times(difference: &Difference) -> String {
-    let [ratio, low, high] = difference.time();
-    format!("{ratio:.2} [{low:.2}, {high:.2}]")
-}
-
-fn as_json(measured: &Measurements) -> serde_json::Value {
-    let one = |d: &Difference| {
-        let [ratio, low, high] = d.time();
-        json!({
-            "time_ratio": { "value": ratio, "low": low, "high": high },
-            "rays_ratio": d.rays,
-            "share": { "value": d.share, "error": d.share_error },
-            "rel_mse": { "value": d.rel_mse, "error": d.rel_mse_error },
+        self.all_on.iter().try_for_each(|all_on| {
+            writeln!(
+                f,
+                "every effect at work, those that are absent at no strength: {} of the time, the same \
+                 picture",
+                all_on.time
+            )
         })
-    };
-    let effects: Vec<_> = measured
-        .effects
-        .iter()
-        .map(|m| json!({ "effect": m.effect, "difference": one(&m.difference) }))
-        .collect();
-    json!({
-        "effects": effects,
-        "all_effects_on": measured.all_on.as_ref().map(one),
-        "interrupted": measured.interrupted,
-    })
+    }
 }

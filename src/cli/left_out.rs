@@ -1,43 +1,66 @@
 //! Light that a picture lacks: what its integrator cannot find, and what was left out on purpose.
 
-use super::demand::bias_json;
+use super::demand::Bias;
 use crate::effects::black::why_black;
 use crate::effects::language::Wanted;
-use crate::effects::measure::Difference;
 use crate::effects::missed::{Missed, missed, unmet};
-use crate::effects::plan::{Demand, demand, plan};
+use crate::effects::plan::{demand, plan};
 use crate::integrators::Entry;
 use crate::render::Rendered;
 use crate::scene::Scene;
-use serde_json::{Value, json};
+use serde::Serialize;
 
 /// What a picture of a scene by an integrator lacks.
-#[derive(Debug)]
+#[derive(Debug, Serialize)]
 pub(super) struct LeftOut {
-    integrator: Entry,
+    integrator: &'static str,
+    #[serde(skip)]
+    entry: Entry,
+    /// Words of what is missed, each once.
+    words: Vec<String>,
+    #[serde(rename = "lights")]
     missed: Vec<Missed>,
-    on_purpose: Option<Demand>,
+    /// Words that are not wanted.
+    on_purpose: Option<Vec<String>>,
+    /// By how much the picture is wrong, where that was measured.
+    #[serde(flatten)]
+    pub bias: Option<Bias>,
     /// Lamps that no sample has met, and all that might have been.
+    #[serde(skip)]
     unmet: [usize; 2],
 }
 
 impl LeftOut {
-    pub fn new(scene: &Scene, integrator: Entry, wanted: Option<&Wanted>) -> Self {
+    pub fn new(scene: &Scene, entry: Entry, wanted: Option<&Wanted>) -> Self {
         let language = wanted.map(|wanted| &wanted.light_first);
+        let missed = missed(&entry, &scene.inventory, language);
+        let mut words: Vec<String> = Vec::new();
+        for word in missed.iter().flat_map(|missed| &missed.words) {
+            if !words.contains(word) {
+                words.push(word.clone());
+            }
+        }
+        let left = language.and_then(|language| demand(&scene.inventory, language));
         LeftOut {
-            integrator,
-            missed: missed(&integrator, &scene.inventory, language),
-            on_purpose: language
-                .and_then(|language| demand(&scene.inventory, language))
-                .filter(|demand| !demand.all),
+            integrator: entry.name,
+            entry,
+            words,
+            missed,
+            on_purpose: left.filter(|left| !left.all).map(|left| left.left_out),
+            bias: None,
             unmet: [0, 0],
         }
+    }
+
+    /// True where nothing is known to be missing.
+    pub fn is_nothing(&self) -> bool {
+        self.missed.is_empty() && self.on_purpose.is_none() && self.bias.is_none()
     }
 
     /// What to say before the work, for people.
     pub fn notes(&self, scene: &Scene) -> String {
         let mut text = String::new();
-        let name = self.integrator.name;
+        let name = self.integrator;
         for Missed {
             light_of,
             words,
@@ -58,25 +81,21 @@ impl LeftOut {
 
     /// The integrator, where it cannot find all that is wanted.
     pub fn finder(&self) -> Option<&'static str> {
-        (!self.missed.is_empty()).then_some(self.integrator.name)
+        (!self.missed.is_empty()).then_some(self.integrator)
     }
 
     /// What is not in the error of the picture, in words; `None` where everything is.
     pub fn unknown(&self) -> Option<String> {
-        let name = self.integrator.name;
-        let words = self.words();
-        if !words.is_empty() {
-            Some(format!("{name} leaves out {} …", words.join(", ")))
-        } else if self.unmet[0] > 0 {
-            Some(self.not_met())
-        } else {
-            None
+        if !self.words.is_empty() {
+            let words = self.words.join(", ");
+            return Some(format!("{} leaves out {words} …", self.integrator));
         }
+        (self.unmet[0] > 0).then(|| self.not_met())
     }
 
     /// What is found out when the picture is finished: the lamps that a walk has met.
     pub fn see(&mut self, scene: &Scene, rendered: &Rendered) {
-        self.unmet = unmet(&self.integrator, scene, rendered.lights_met);
+        self.unmet = unmet(&self.entry, scene, rendered.lights_met);
     }
 
     /// What to say of lamps that no sample has met; nothing where there are none.
@@ -91,7 +110,7 @@ impl LeftOut {
     }
 
     fn not_met(&self) -> String {
-        let ([unmet, all], name) = (self.unmet, self.integrator.name);
+        let ([unmet, all], name) = (self.unmet, self.integrator);
         format!("no sample of {name} has met {unmet} of {all} lamps")
     }
 
@@ -100,42 +119,14 @@ impl LeftOut {
         self.unmet[0]
     }
 
-    fn words(&self) -> Vec<&str> {
-        let mut words = Vec::new();
-        for word in self.missed.iter().flat_map(|missed| &missed.words) {
-            if !words.contains(&word.as_str()) {
-                words.push(word);
-            }
-        }
-        words
-    }
-
     /// Why a picture is black, for people.
     pub fn why_black(&self, scene: &Scene, max_depth: u32) -> String {
-        let why = why_black(scene, &self.integrator, max_depth);
+        let why = why_black(scene, &self.entry, max_depth);
         match self.on_purpose {
             Some(_) if !scene.is_dark() => {
                 format!("no light came by the paths that are asked for; {why}")
             }
             _ => why,
         }
-    }
-
-    /// What is left out, for machines: null where nothing is.
-    pub fn as_json(&self, bias: Option<&Difference>) -> Value {
-        if self.missed.is_empty() && self.on_purpose.is_none() && bias.is_none() {
-            return Value::Null;
-        }
-        let mut object = json!({
-            "integrator": self.integrator.name,
-            "words": self.words(),
-            "lights": self.missed,
-            "on_purpose": self.on_purpose.as_ref().map(|demand| &demand.left_out),
-        });
-        if let Some(Value::Object(bias)) = bias.map(bias_json) {
-            bias.into_iter()
-                .for_each(|(key, value)| object[key] = value);
-        }
-        object
     }
 }

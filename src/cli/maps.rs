@@ -1,7 +1,7 @@
 //! `halfdisk render --maps`: where in a picture samples are needed.
 
-use super::{Stop, save};
-use crate::chart::{Axis, ChartError, HeatMap};
+use super::{Stop, drawn, save};
+use crate::chart::{Axis, HeatMap};
 use crate::figures::required_chart;
 use crate::render::Film;
 use crate::render::accuracy::{Accuracy, Measure};
@@ -23,15 +23,13 @@ pub(super) struct Maps {
 /// What is drawn, by the middle of its files' names.
 const KINDS: [&str; 3] = ["variance", "required", "histogram"];
 
-fn beside(picture: &Path, kind: &str, ending: &str) -> PathBuf {
-    picture.with_extension(format!("{kind}.{ending}"))
-}
-
 impl Maps {
     /// The files in the format of pictures, which a scene might need.
     pub(super) fn pictures(&self, picture: &Path) -> Vec<PathBuf> {
         let kinds = KINDS.iter().filter(|_| self.maps);
-        kinds.map(|kind| beside(picture, kind, "png")).collect()
+        kinds
+            .map(|kind| picture.with_extension(format!("{kind}.png")))
+            .collect()
     }
 
     /// Writes the maps where they are wanted; returns their names, and why others are missing.
@@ -83,18 +81,14 @@ impl Maps {
             (need.to_svg(), need.to_png()),
             (histogram.to_svg(), histogram.to_png()),
         ];
-        let (mut drawn, mut written, mut missing) = (Vec::new(), Vec::new(), Vec::new());
+        let (mut files, mut written, mut missing) = (Vec::new(), Vec::new(), Vec::new());
         for (kind, (svg, png)) in KINDS.into_iter().zip(charts) {
-            match svg.and_then(|svg| Ok((svg, png?))) {
-                Ok((svg, png)) => {
-                    drawn.push((beside(picture, kind, "svg"), svg.into_bytes()));
-                    drawn.push((beside(picture, kind, "png"), png));
-                }
-                Err(ChartError::Empty(_)) => missing.push(kind),
-                Err(error) => return Err(Stop::Failure(error.to_string())),
+            match drawn(&picture.with_extension(kind), svg, png)? {
+                Some(both) => files.extend(both),
+                None => missing.push(kind),
             }
         }
-        for (file, bytes) in drawn {
+        for (file, bytes) in files {
             save(&file, bytes)?;
             written.push(file.display().to_string());
         }

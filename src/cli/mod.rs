@@ -3,6 +3,7 @@
 //! Text for people goes to stderr, results to stdout. Exit codes: 0 done, 1 failed, 2 bad usage or
 //! input, 130 interrupted by Ctrl-C, 143 asked to terminate. A report that nobody can read ends nothing.
 
+mod answer;
 mod classify;
 mod completions;
 mod converge;
@@ -19,11 +20,12 @@ mod scenes;
 mod stop;
 mod tour;
 
+use crate::chart::ChartError;
 use crate::desk::{self, interrupted_code, tell};
 use crate::output::{self, OutputError};
 use crate::scene::SceneError;
 use clap::{Parser, Subcommand};
-use std::path::Path;
+use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 
 /// Light transport by running it: from Whitted ray tracing to path tracing, step by step
@@ -119,9 +121,35 @@ enum Stop {
     Interrupted,
 }
 
-/// Writes a result to stdout. To be called when every file is written, since it may fail.
-fn answer(text: &str) -> Result<(), Stop> {
-    desk::answer(text).map_err(|e| Stop::Failure(format!("stdout: {e}")))
+/// Says that a program built without optimisation is slow.
+fn note_slow_build() {
+    if cfg!(debug_assertions) {
+        tell("note: built for development; `cargo run --release` is several times faster");
+    }
+}
+
+/// The file of that ending beside others of one name, which may have dots of its own.
+fn with_ending(name: &Path, ending: &str) -> PathBuf {
+    let mut file = name.as_os_str().to_owned();
+    file.push(ending);
+    file.into()
+}
+
+/// A file and what is in it.
+type Bytes = (PathBuf, Vec<u8>);
+
+/// A chart as the files NAME.svg and NAME.png; `None` where it has nothing to show.
+fn drawn(
+    name: &Path,
+    svg: Result<String, ChartError>,
+    png: Result<Vec<u8>, ChartError>,
+) -> Result<Option<[Bytes; 2]>, Stop> {
+    let file = |ending| with_ending(name, ending);
+    match svg.and_then(|svg| Ok([svg.into_bytes(), png?])) {
+        Ok([svg, png]) => Ok(Some([(file(".svg"), svg), (file(".png"), png)])),
+        Err(ChartError::Empty(_)) => Ok(None),
+        Err(error) => Err(error.into()),
+    }
 }
 
 /// The name of a scene's file without its ending, after which results are called; a scene of the
@@ -129,6 +157,18 @@ fn answer(text: &str) -> Result<(), Stop> {
 fn stem(scene: &str) -> String {
     let stem = Path::new(scene).file_stem().unwrap_or_default();
     stem.to_string_lossy().into_owned()
+}
+
+/// Where the results of a command go: the folder that was asked for, or one named after the scene's file.
+fn folder(asked: &Option<PathBuf>, command: &str, scene: &str) -> PathBuf {
+    let usual = || Path::new("out").join(command).join(stem(scene));
+    asked.clone().unwrap_or_else(usual)
+}
+
+/// The size of a picture of the same shape that has at most `most` pixels along a side of so many.
+fn reduced(size: [u32; 2], side: u32, most: u32) -> [u32; 2] {
+    let along = |n: u32| (u64::from(n) * u64::from(most.min(side)) / u64::from(side)).max(1) as u32;
+    size.map(along)
 }
 
 /// Checks, before the work is done, that results can be written into a folder, which is made.
@@ -169,14 +209,15 @@ impl From<OutputError> for Stop {
     }
 }
 
-impl From<serde_json::Error> for Stop {
-    fn from(error: serde_json::Error) -> Self {
-        Stop::Failure(error.to_string())
-    }
+/// Errors that are no mistake of the user.
+macro_rules! failures {
+    ($($error:ty),*) => {
+        $(impl From<$error> for Stop {
+            fn from(error: $error) -> Self {
+                Stop::Failure(error.to_string())
+            }
+        })*
+    };
 }
 
-impl From<std::io::Error> for Stop {
-    fn from(error: std::io::Error) -> Self {
-        Stop::Failure(error.to_string())
-    }
-}
+failures!(ChartError, serde_json::Error, std::io::Error);

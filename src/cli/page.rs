@@ -3,27 +3,28 @@
 use super::Stop;
 use crate::desk::Record;
 use minijinja::value::Serde;
-use minijinja::{AutoEscape, Environment, context};
+use minijinja::{AutoEscape, Environment, Value, context};
 
 /// The page as HTML; pictures are linked from the folders beside it.
 pub(super) fn html(records: &[Record]) -> Result<String, Stop> {
+    let chapter = |record: &Record| {
+        let lines: Vec<String> = record.numbers.values().map(|n| n.line()).collect();
+        context! { record => Serde(record), lines }
+    };
+    let chapters: Vec<_> = records.iter().map(chapter).collect();
+    filled(
+        "the gallery page",
+        include_str!("page.html"),
+        context! { chapters },
+    )
+}
+
+/// A page from its template, in which what is filled in is text and no HTML.
+pub(super) fn filled(name: &str, template: &str, values: Value) -> Result<String, Stop> {
     let mut environment = Environment::new();
     environment.set_auto_escape_callback(|_| AutoEscape::Html);
-    let failure = |e: minijinja::Error| Stop::Failure(format!("the gallery page: {e:#}"));
-    environment
-        .add_template("page", include_str!("page.html"))
-        .map_err(failure)?;
-    let chapters: Vec<_> = records
-        .iter()
-        .map(|record| {
-            let lines: Vec<String> = record.numbers.values().map(|n| n.line()).collect();
-            context! { record => Serde(record), lines }
-        })
-        .collect();
-    environment
-        .get_template("page")
-        .and_then(|page| page.render(context! { chapters }))
-        .map_err(failure)
+    let page = environment.render_str(template, values);
+    page.map_err(|e| Stop::Failure(format!("{name}: {e:#}")))
 }
 
 #[cfg(test)]

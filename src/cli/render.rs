@@ -1,11 +1,12 @@
 //! `halfdisk render`.
 
-use super::demand::{Demand, bias, bias_line};
+use super::answer::{print, to_json};
+use super::demand::{Demand, bias};
 use super::left_out::LeftOut;
 use super::maps::Maps;
-use super::report::{as_json, rarely_asked_line, report};
-use super::stop::{self, Ending};
-use super::{Stop, answer, stem, use_threads};
+use super::report::Report;
+use super::stop::{Ended, Ending};
+use super::{Stop, note_slow_build, stem, use_threads};
 use crate::desk::{Bar, on_ctrl_c, tell, whole};
 use crate::effects::measure::Setup;
 use crate::integrators::{
@@ -19,7 +20,6 @@ use crate::sampling::stream::Sampler;
 use crate::scene::{Scene, build::film_size, gallery};
 use clap::builder::{PossibleValue, PossibleValuesParser, TypedValueParser};
 use clap::{Args, ValueEnum};
-use serde_json::json;
 use std::path::PathBuf;
 
 /// Render a scene.
@@ -116,8 +116,8 @@ pub(super) fn size(text: &str) -> Result<[u32; 2], String> {
 
 impl Render {
     pub(super) fn run(self) -> Result<(), Stop> {
-        if cfg!(debug_assertions) && !self.quiet {
-            tell("note: built for development; `cargo run --release` is several times faster");
+        if !self.quiet {
+            note_slow_build();
         }
         let mut whole = gallery::load(&self.scene)?;
         if let Some(size) = self.size {
@@ -188,7 +188,10 @@ impl Render {
         let kept = output::write_somewhere(&path, &rendered.film, display, &facts)?;
         let path = &kept.path;
         let goal = self.ending.goal();
-        let maps = self.maps.write(path, &rendered.film, &goal);
+        let ((maps, no_maps), maps_failed) = match self.maps.write(path, &rendered.film, &goal) {
+            Ok(maps) => (maps, None),
+            Err(error) => (Default::default(), Some(error)),
+        };
         let compared = compared.filter(|_| !rendered.interrupted);
         let biased = compared.is_some();
         let bias = compared.and_then(|whole| {
@@ -199,53 +202,38 @@ impl Render {
             bias(whole, left, outcome.spp, &Bar::hidden(on_ctrl_c()))
         });
         let unmeasured = biased && bias.is_none();
-        let too_bright = self.too_bright(&scene, rendered, max_depth);
-        let black = left_out
-            .as_ref()
-            .filter(|_| rendered.is_black())
-            .map(|left_out| left_out.why_black(&scene, max_depth));
-        let asked = self.rarely_asked(&scene, rendered, max_depth);
+        left_out.iter_mut().for_each(|l| l.bias = bias);
+        let left_out = left_out.as_ref();
+        let report = Report {
+            facts: &facts,
+            size: scene.size,
+            built: &scene.report,
+            made: rendered,
+            out: path.display().to_string(),
+            accuracy: Ended::new(&outcome, &goal, facts.sampler, left_out),
+            too_bright_pixels: self.too_bright(&scene, rendered, max_depth),
+            maps,
+            no_maps,
+            black: left_out
+                .filter(|_| rendered.is_black())
+                .map(|left_out| left_out.why_black(&scene, max_depth)),
+            rarely_asked: self.rarely_asked(&scene, rendered, max_depth),
+            lamps_unmet: left_out.map_or(0, LeftOut::unmet),
+            unmet: left_out.map_or_else(String::new, LeftOut::after),
+            left_out: left_out.filter(|left_out| !left_out.is_nothing()),
+            unmeasured,
+        };
         if !self.quiet {
-            let mut text = report(&scene, &outcome, self.sampler(), too_bright);
-            text += &asked.map_or_else(String::new, rarely_asked_line);
-            let left_out = left_out.as_ref();
-            text += &left_out.map_or_else(String::new, LeftOut::after);
-            text += &stop::report(&outcome, &goal, self.sampler(), left_out);
-            if let Some(why) = &black {
-                text += &format!("the picture is black: {why}\n");
-            }
-            if let Some(bias) = &bias {
-                text += &bias_line(bias);
-            } else if unmeasured {
-                text +=
-                    "interrupted: the picture is complete, but what it lacks was not measured\n";
-            }
-            text += &format!("wrote {}", path.display());
-            if let Ok((maps, missing)) = &maps {
-                maps.iter()
-                    .for_each(|map| text += &format!("\nwrote {map}"));
-                missing
-                    .iter()
-                    .for_each(|why| text += &format!("\nnote: {why}"));
-            }
-            tell(text);
+            tell(&report);
         }
-        let mut printed = Ok(());
-        if self.json {
-            let mut object = as_json(&scene, &facts, &outcome, too_bright, path);
-            let written = maps.as_ref().map_or(&[][..], |(maps, _)| maps);
-            object["accuracy"] = stop::as_json(&outcome, &goal, self.sampler());
-            object["maps"] = json!(written);
-            object["black"] = json!(black);
-            object["rarely_asked"] = json!(asked);
-            object["lamps_unmet"] = json!(left_out.as_ref().map_or(0, LeftOut::unmet));
-            object["left_out"] = json!(left_out.map(|left_out| left_out.as_json(bias.as_ref())));
-            printed = answer(&(serde_json::to_string_pretty(&object)? + "\n"));
-        }
+        let printed = match self.json {
+            true => to_json(&report).and_then(|json| print(&json)),
+            false => Ok(()),
+        };
         if let Some(what) = kept.complaint() {
             return Err(Stop::Failure(what));
         }
-        maps?;
+        maps_failed.map_or(Ok(()), Err)?;
         printed?;
         if rendered.interrupted || unmeasured {
             return Err(Stop::Interrupted);

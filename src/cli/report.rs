@@ -1,161 +1,226 @@
 //! What happened in a render: in words, and for programs.
 
+use super::left_out::LeftOut;
+use super::stop::Ended;
 use crate::integrators::{ENOUGH, RarelyAsked};
 use crate::numeric::count;
 use crate::output::Provenance;
-use crate::render::Faults;
-use crate::render::target::{Outcome, fewest};
-use crate::sampling::stream::Sampler;
-use crate::scene::Scene;
-use serde_json::json;
-use std::path::Path;
+use crate::render::target::fewest;
+use crate::render::{BadSample, Faults, Rendered};
+use crate::scene::{BuildReport, Coarse, RayCounts};
+use crate::stats::Measurement;
+use serde::{Serialize, Serializer};
+use std::fmt::{self, Display, Formatter};
+use std::time::Duration;
 
-/// What happened, for people.
-pub(super) fn report(
-    scene: &Scene,
-    outcome: &Outcome,
-    sampler: Sampler,
-    too_bright: usize,
-) -> String {
-    let rendered = &outcome.rendered;
-    let mut text = String::new();
-    let mut line = |l: String| {
-        text += &l;
-        text.push('\n');
-    };
-    let seconds = rendered.time.as_secs_f64();
-    let rays = rendered.rays;
-    let [w, h] = scene.size;
-    line(format!(
-        "{}: {w} x {h}, {}, built in {:.3} s, rendered in {seconds:.3} s",
-        scene.name,
-        count(scene.report.shapes, "shape", "shapes"),
-        scene.report.time.as_secs_f64(),
-    ));
-    line(format!(
-        "rays: {} camera, {} secondary, {} shadow; {:.2} million per second",
-        rays.camera,
-        rays.secondary,
-        rays.shadow,
-        rays.total() as f64 / seconds / 1e6
-    ));
-    let (mean, error) = rendered.mean();
-    let error = if !error.is_finite() {
-        " (error not known)".to_owned()
-    } else if outcome.reached.error.is_infinite() {
-        format!(" ± {error:.1e} of rounding; no noise was seen")
-    } else if outcome.reached.spp < fewest(sampler) {
-        format!(" ± at most {error:.1e}, since few samples that lie evenly only bound their error")
-    } else {
-        format!(" ± {error:.1e}")
-    };
-    line(format!("mean of the picture: {mean:.6}{error}"));
-    if scene.report.degenerate_triangles > 0 {
-        line(format!(
-            "note: {} left out",
-            count(
-                scene.report.degenerate_triangles,
-                "triangle without area was",
-                "triangles without area were"
-            )
-        ));
-    }
-    for note in &scene.report.notes {
-        line(format!("note: {note}"));
-    }
-    if scene.report.hidden_lamps > 0 {
-        line(format!(
-            "note: {} in the very place of an earlier one {} left out",
-            count(scene.report.hidden_lamps, "lamp", "lamps"),
-            if scene.report.hidden_lamps == 1 {
+/// What happened in a render, and what was found out about its picture.
+#[derive(Serialize)]
+pub(super) struct Report<'a> {
+    pub facts: &'a Provenance,
+    pub size: [u32; 2],
+    #[serde(flatten, with = "Built")]
+    pub built: &'a BuildReport,
+    #[serde(flatten, with = "Made")]
+    pub made: &'a Rendered,
+    pub out: String,
+    pub accuracy: Ended<'a>,
+    pub too_bright_pixels: usize,
+    pub maps: Vec<String>,
+    /// Why there are no maps, or not all of them.
+    #[serde(skip)]
+    pub no_maps: Option<String>,
+    pub black: Option<String>,
+    pub rarely_asked: Option<RarelyAsked>,
+    pub lamps_unmet: usize,
+    /// What no sample has met, in words.
+    #[serde(skip)]
+    pub unmet: String,
+    pub left_out: Option<&'a LeftOut>,
+    /// True where a bias was to be measured, and was not.
+    #[serde(skip)]
+    pub unmeasured: bool,
+}
+
+/// What programs are told of how a scene was built.
+#[derive(Serialize)]
+#[serde(remote = "BuildReport")]
+struct Built {
+    shapes: usize,
+    degenerate_triangles: usize,
+    notes: Vec<String>,
+    hidden_lamps: usize,
+    #[serde(rename = "coarse_shapes", serialize_with = "coarse_shapes")]
+    coarse: Option<Coarse>,
+    #[serde(rename = "build_seconds", serialize_with = "seconds")]
+    time: Duration,
+}
+
+/// What programs are told of how a picture was made.
+#[derive(Serialize)]
+#[serde(remote = "Rendered")]
+struct Made {
+    rays: RayCounts,
+    #[serde(rename = "seconds", serialize_with = "seconds")]
+    time: Duration,
+    #[serde(getter = "rays_per_second")]
+    rays_per_second: f64,
+    #[serde(getter = "mean")]
+    mean: Measurement,
+    non_finite: u64,
+    faults: Faults,
+    #[serde(rename = "largest_sample")]
+    largest: f32,
+    #[serde(rename = "first_non_finite")]
+    first_bad: Option<BadSample>,
+    interrupted: bool,
+}
+
+fn seconds<S: Serializer>(time: &Duration, serializer: S) -> Result<S::Ok, S::Error> {
+    time.as_secs_f64().serialize(serializer)
+}
+
+fn coarse_shapes<S: Serializer>(coarse: &Option<Coarse>, serializer: S) -> Result<S::Ok, S::Error> {
+    coarse.map_or(0, |c| c.shapes).serialize(serializer)
+}
+
+fn rays_per_second(made: &Rendered) -> f64 {
+    made.rays.total() as f64 / made.time.as_secs_f64()
+}
+
+fn mean(made: &Rendered) -> Measurement {
+    made.mean().into()
+}
+
+impl Report<'_> {
+    /// What is odd about the scene.
+    fn scene(&self, f: &mut Formatter) -> fmt::Result {
+        let built = self.built;
+        if built.degenerate_triangles > 0 {
+            let (one, many) = ("triangle without area was", "triangles without area were");
+            let what = count(built.degenerate_triangles, one, many);
+            writeln!(f, "note: {what} left out")?;
+        }
+        for note in &built.notes {
+            writeln!(f, "note: {note}")?;
+        }
+        if built.hidden_lamps > 0 {
+            let were = if built.hidden_lamps == 1 {
                 "was"
             } else {
                 "were"
-            }
-        ));
+            };
+            let lamps = count(built.hidden_lamps, "lamp", "lamps");
+            writeln!(
+                f,
+                "note: {lamps} in the very place of an earlier one {were} left out"
+            )?;
+        }
+        if let Some(Coarse { shapes, step }) = built.coarse {
+            let what = count(shapes, "shape is", "shapes are");
+            writeln!(
+                f,
+                "warning: {what} so small for where they stand that rounding changes their form: \
+                 numbers there are up to {step} apart, counted from the camera"
+            )?;
+        }
+        Ok(())
     }
-    if let Some(coarse) = scene.report.coarse {
-        line(format!(
-            "warning: {} so small for where they stand that rounding changes their form: \
-             numbers there are up to {} apart, counted from the camera",
-            count(coarse.shapes, "shape is", "shapes are"),
-            coarse.step
-        ));
+
+    /// What is odd about the picture.
+    fn picture(&self, f: &mut Formatter) -> fmt::Result {
+        let made = self.made;
+        if let Some(BadSample { sample, x, y }) = made.first_bad {
+            let Faults {
+                nan,
+                infinite,
+                negative,
+            } = made.faults;
+            writeln!(
+                f,
+                "warning: samples that no light brings: {nan} not a number and {infinite} infinite, \
+                 which are in no mean, {negative} negative; the first is sample {sample} of pixel {x},{y}"
+            )?;
+        }
+        if self.too_bright_pixels > 0 {
+            let what = count(self.too_bright_pixels, "pixel is", "pixels are");
+            writeln!(
+                f,
+                "warning: {what} brighter than the scene's lights and albedos allow"
+            )?;
+        }
+        if made.interrupted {
+            let counts = || made.film.pixels().iter().map(|p| p.count());
+            let [least, most] = [counts().min(), counts().max()].map(Option::unwrap_or_default);
+            writeln!(
+                f,
+                "interrupted: the picture has {least} to {most} samples per pixel"
+            )?;
+        }
+        if let Some(RarelyAsked { lights, times, .. }) = self.rarely_asked {
+            let which = match lights {
+                1 => format!("one light is asked only about {times:.1} times in the whole picture"),
+                n => format!(
+                    "{n} lights are asked fewer than {ENOUGH} times each in the whole picture, the \
+                     least about {times:.1} times"
+                ),
+            };
+            writeln!(
+                f,
+                "warning: {which}; light may be missing, and the error cannot tell: take more samples"
+            )?;
+        }
+        f.write_str(&self.unmet)
     }
-    if let Some(bad) = rendered.first_bad {
-        let Faults {
-            nan,
-            infinite,
-            negative,
-        } = rendered.faults;
-        line(format!(
-            "warning: samples that no light brings: {nan} not a number and {infinite} infinite, \
-             which are in no mean, {negative} negative; the first is sample {} of pixel {},{}",
-            bad.sample, bad.x, bad.y
-        ));
-    }
-    if too_bright > 0 {
-        line(format!(
-            "warning: {} brighter than the scene's lights and albedos allow",
-            count(too_bright, "pixel is", "pixels are")
-        ));
-    }
-    if rendered.interrupted {
-        let counts = rendered.film.pixels().iter().map(|p| p.count());
-        line(format!(
-            "interrupted: the picture has {} to {} samples per pixel",
-            counts.clone().min().unwrap_or(0),
-            counts.max().unwrap_or(0)
-        ));
-    }
-    text
 }
 
-/// Lights whose absence the error of the picture could not tell, for people.
-pub(super) fn rarely_asked_line(rare: RarelyAsked) -> String {
-    let RarelyAsked { lights, times, .. } = rare;
-    let which = match lights {
-        1 => format!("one light is asked only about {times:.1} times in the whole picture"),
-        n => format!(
-            "{n} lights are asked fewer than {ENOUGH} times each in the whole picture, the least \
-             about {times:.1} times"
-        ),
-    };
-    format!(
-        "warning: {which}; light may be missing, and the error cannot tell: take more samples\n"
-    )
-}
-
-/// What happened, for machines.
-pub(super) fn as_json(
-    scene: &Scene,
-    facts: &Provenance,
-    outcome: &Outcome,
-    too_bright: usize,
-    path: &Path,
-) -> serde_json::Value {
-    let rendered = &outcome.rendered;
-    let seconds = rendered.time.as_secs_f64();
-    let (mean, error) = rendered.mean();
-    json!({
-        "facts": facts,
-        "size": scene.size,
-        "shapes": scene.report.shapes,
-        "degenerate_triangles": scene.report.degenerate_triangles,
-        "build_seconds": scene.report.time.as_secs_f64(),
-        "seconds": seconds,
-        "rays": rendered.rays,
-        "rays_per_second": rendered.rays.total() as f64 / seconds,
-        "mean": { "value": mean, "error": error },
-        "notes": scene.report.notes,
-        "hidden_lamps": scene.report.hidden_lamps,
-        "coarse_shapes": scene.report.coarse.map_or(0, |c| c.shapes),
-        "non_finite": rendered.non_finite,
-        "faults": rendered.faults,
-        "largest_sample": rendered.largest,
-        "too_bright_pixels": too_bright,
-        "first_non_finite": rendered.first_bad,
-        "interrupted": rendered.interrupted,
-        "out": path.display().to_string(),
-    })
+impl Display for Report<'_> {
+    fn fmt(&self, f: &mut Formatter) -> fmt::Result {
+        let ([w, h], name) = (self.size, &self.facts.scene);
+        let shapes = count(self.built.shapes, "shape", "shapes");
+        let [built, seconds] = [self.built.time, self.made.time].map(|t| t.as_secs_f64());
+        writeln!(
+            f,
+            "{name}: {w} x {h}, {shapes}, built in {built:.3} s, rendered in {seconds:.3} s"
+        )?;
+        let RayCounts {
+            camera,
+            secondary,
+            shadow,
+        } = self.made.rays;
+        let speed = rays_per_second(self.made) / 1e6;
+        writeln!(
+            f,
+            "rays: {camera} camera, {secondary} secondary, {shadow} shadow; {speed:.2} million per second"
+        )?;
+        let Measurement { value, error } = mean(self.made);
+        write!(f, "mean of the picture: {value:.6}")?;
+        let reached = &self.accuracy.outcome.reached;
+        if !error.is_finite() {
+            writeln!(f, " (error not known)")?;
+        } else if reached.error.is_infinite() {
+            writeln!(f, " ± {error:.1e} of rounding; no noise was seen")?;
+        } else if reached.spp < fewest(self.facts.sampler) {
+            let why = "since few samples that lie evenly only bound their error";
+            writeln!(f, " ± at most {error:.1e}, {why}")?;
+        } else {
+            writeln!(f, " ± {error:.1e}")?;
+        }
+        self.scene(f)?;
+        self.picture(f)?;
+        self.accuracy.fmt(f)?;
+        if let Some(why) = &self.black {
+            writeln!(f, "the picture is black: {why}")?;
+        }
+        if let Some(bias) = self.left_out.and_then(|left_out| left_out.bias) {
+            writeln!(f, "{bias}")?;
+        } else if self.unmeasured {
+            let what = "the picture is complete, but what it lacks was not measured";
+            writeln!(f, "interrupted: {what}")?;
+        }
+        write!(f, "wrote {}", self.out)?;
+        let mut maps = self.maps.iter();
+        maps.try_for_each(|map| write!(f, "\nwrote {map}"))?;
+        let mut no_maps = self.no_maps.iter();
+        no_maps.try_for_each(|why| write!(f, "\nnote: {why}"))
+    }
 }

@@ -1,11 +1,13 @@
 //! `halfdisk scenes`.
 
-use super::{Stop, answer};
+use super::Stop;
+use super::answer::{List, answer, print};
 use crate::output::OutputError;
+use crate::scene::SceneError;
 use crate::scene::gallery::{self, GALLERY};
-use crate::scene::{Scene, SceneError};
 use clap::Args;
-use serde_json::json;
+use serde::Serialize;
+use std::fmt::{self, Display, Formatter};
 use std::fs::File;
 use std::io::Write;
 use std::path::{Path, PathBuf};
@@ -29,34 +31,46 @@ impl Scenes {
         if let Some(name) = self.show {
             let text = gallery::text(&name).ok_or_else(|| gallery::unknown(&name))?;
             return match self.out {
-                None => answer(text),
+                None => print(text),
                 Some(path) => write_new(&path, text),
             };
         }
-        let scenes = GALLERY
-            .iter()
-            .map(|(name, _)| gallery::load(name))
-            .collect::<Result<Vec<_>, SceneError>>()?;
-        if self.json {
-            let list: Vec<_> = scenes
-                .iter()
-                .map(|s| {
-                    json!({
-                        "name": s.name,
-                        "about": s.about,
-                        "size": s.size,
-                        "shapes": s.report.shapes,
-                        "lights": s.lights.len(),
-                        "max_depth": s.suggested.max_depth,
-                        "spp": s.suggested.spp,
-                    })
-                })
-                .collect();
-            answer(&(serde_json::to_string_pretty(&list)? + "\n"))
-        } else {
-            let line = |s: &Scene| format!("{:<10} {}\n", s.name, s.about);
-            answer(&scenes.iter().map(line).collect::<String>())
-        }
+        let entries = GALLERY.iter().map(|(name, _)| Entry::of(name));
+        let entries = entries.collect::<Result<_, SceneError>>()?;
+        answer(&List(entries), self.json)
+    }
+}
+
+/// A scene in the list.
+#[derive(Serialize)]
+struct Entry {
+    name: String,
+    about: String,
+    size: [u32; 2],
+    shapes: usize,
+    lights: usize,
+    max_depth: u32,
+    spp: u32,
+}
+
+impl Entry {
+    fn of(name: &str) -> Result<Entry, SceneError> {
+        let scene = gallery::load(name)?;
+        Ok(Entry {
+            size: scene.size,
+            shapes: scene.report.shapes,
+            lights: scene.lights.len(),
+            max_depth: scene.suggested.max_depth,
+            spp: scene.suggested.spp,
+            name: scene.name,
+            about: scene.about,
+        })
+    }
+}
+
+impl Display for Entry {
+    fn fmt(&self, f: &mut Formatter) -> fmt::Result {
+        writeln!(f, "{:<10} {}", self.name, self.about)
     }
 }
 

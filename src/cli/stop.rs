@@ -5,11 +5,13 @@ use crate::desk::whole;
 use crate::render::accuracy::{Accuracy, Measure};
 use crate::render::rounding;
 use crate::render::target::{
-    Goal, MOST_SAMPLES, Outcome, StoppedBy, TOLERANCE, fewest, percent, seconds,
+    Goal, MOST_SAMPLES, Outcome, Prediction, Reached, StoppedBy, TOLERANCE, fewest, percent,
+    seconds,
 };
 use crate::sampling::stream::Sampler;
 use clap::Args;
-use serde_json::{Value, json};
+use serde::Serialize;
+use std::fmt::{self, Display, Formatter};
 use std::time::Duration;
 
 /// When a render ends.
@@ -99,159 +101,170 @@ impl Ending {
     }
 }
 
-/// How accurate the picture is and why it ended, for people, beside what it lacks.
-pub(super) fn report(
-    outcome: &Outcome,
-    goal: &Goal,
-    sampler: Sampler,
-    left_out: Option<&LeftOut>,
-) -> String {
-    let reached = &outcome.reached;
-    let mut text = error(outcome, goal, sampler);
-    if let Some(name) = left_out
-        .and_then(LeftOut::finder)
-        .filter(|_| reached.error.is_finite())
-    {
-        text += &format!(" of the light that {name} finds");
+/// How accurate a picture is, and why its render ended.
+#[derive(Serialize)]
+pub(super) struct Ended<'a> {
+    target: Option<f64>,
+    tolerance: Option<f64>,
+    quantile: Option<f64>,
+    time: Option<f64>,
+    #[serde(flatten, with = "Told")]
+    pub outcome: &'a Outcome,
+    error_is_a_bound: bool,
+    top_share: Option<f64>,
+    /// What the picture lacks.
+    #[serde(skip)]
+    left_out: Option<&'a LeftOut>,
+}
+
+/// What programs are told of how a render ended.
+#[derive(Serialize)]
+#[serde(remote = "Outcome")]
+struct Told {
+    prediction: Option<Prediction>,
+    reached: Reached,
+    stopped_by: StoppedBy,
+    extensions: u32,
+}
+
+impl<'a> Ended<'a> {
+    pub fn new(
+        outcome: &'a Outcome,
+        goal: &Goal,
+        sampler: Sampler,
+        left_out: Option<&'a LeftOut>,
+    ) -> Self {
+        let accuracy = Accuracy::of(&outcome.rendered.film);
+        let noise = accuracy.error(Measure::RootMeanSquare);
+        let has_noise = noise.is_finite() && noise > rounding(&outcome.rendered.rays);
+        let has_pilot = outcome.prediction.is_some_and(|said| said.separate);
+        Ended {
+            target: goal.error,
+            tolerance: goal.error.map(|_| TOLERANCE),
+            quantile: match goal.measure {
+                Measure::RootMeanSquare => None,
+                Measure::Quantile(share) => Some(share),
+            },
+            time: goal.time.map(|t| t.as_secs_f64()),
+            outcome,
+            error_is_a_bound: !has_pilot && outcome.reached.spp < fewest(sampler),
+            top_share: has_noise.then(|| accuracy.top_share()),
+            left_out,
+        }
     }
-    if let Some(target) = goal.error {
-        text += &format!(", target {}", percent(target));
-    }
-    if let Some(said) = outcome.prediction.filter(|said| said.error.is_finite()) {
-        text += &format!("; predicted {}", percent(said.error));
-    }
-    if goal.error.is_some() || goal.time.is_some() {
-        text += &samples(outcome);
-    }
-    if let Some(top) = top_share(outcome) {
-        let worst = match outcome.rendered.film.pixels().len() {
-            0..=1000 => "worst pixel has",
-            _ => "worst 0.1 % of the pixels have",
+
+    /// Why it ended, where something but its samples should end it.
+    fn end(&self) -> String {
+        let why = match self.outcome.stopped_by {
+            StoppedBy::Error => {
+                let unknown = self.left_out.and_then(LeftOut::unknown);
+                let but = unknown.map(|unknown| format!(", but {unknown}"));
+                let (tolerance, but) = (percent(TOLERANCE), but.unwrap_or_default());
+                return format!("\nended at its target (to within {tolerance} of it){but}");
+            }
+            StoppedBy::Time => "ended with its time",
+            StoppedBy::Samples => "ended above its target, with the most samples it may take",
+            StoppedBy::NoNoise if self.outcome.reached.error.is_finite() => {
+                "ended above its target: what is left of the error is rounding"
+            }
+            StoppedBy::NoNoise => "ended without an error to compare with its target",
+            StoppedBy::Interrupt if self.outcome.is_pilot => {
+                "the picture is the pilot's, which has a seed of its own"
+            }
+            StoppedBy::Interrupt => return String::new(),
         };
-        text += &format!(
-            "\nfireflies: the {worst} {} of the squared error",
-            percent(top)
-        );
+        format!("\n{why}")
     }
-    if goal.error.is_some() || goal.time.is_some() {
-        let tolerance = percent(TOLERANCE);
-        let unknown = left_out.and_then(LeftOut::unknown);
-        text += &match (outcome.stopped_by, unknown) {
-            (StoppedBy::Error, Some(unknown)) => {
-                format!("\nended at its target (to within {tolerance} of it), but {unknown}")
-            }
-            (StoppedBy::Error, None) => {
-                format!("\nended at its target (to within {tolerance} of it)")
-            }
-            (StoppedBy::Time, _) => "\nended with its time".to_owned(),
-            (StoppedBy::Samples, _) => {
-                "\nended above its target, with the most samples it may take".to_owned()
-            }
-            (StoppedBy::NoNoise, _) if reached.error.is_finite() => {
-                "\nended above its target: what is left of the error is rounding".to_owned()
-            }
-            (StoppedBy::NoNoise, _) => {
-                "\nended without an error to compare with its target".to_owned()
-            }
-            (StoppedBy::Interrupt, _) if outcome.is_pilot => {
-                "\nthe picture is the pilot's, which has a seed of its own".to_owned()
-            }
-            (StoppedBy::Interrupt, _) => String::new(),
+
+    /// The error of the picture.
+    fn error(&self) -> String {
+        let Reached { error, .. } = self.outcome.reached;
+        if error.is_infinite() {
+            let film = &self.outcome.rendered.film;
+            let why = match film.pixels().iter().map(|p| p.count()).min().unwrap_or(0) {
+                0 => "some pixels have no sample",
+                1 => "one sample has no spread",
+                _ if film.max() == 0.0 => "no sample found light",
+                _ => {
+                    "all samples of each pixel are alike: they are exact, or what differs is too rare \
+                     to have been met"
+                }
+            };
+            return format!("error: not known ({why})");
+        }
+        let bound = if self.error_is_a_bound {
+            "at most "
+        } else {
+            ""
         };
+        let of = self.quantile.map_or_else(String::new, |share| {
+            format!(" or less in {} of the pixels", percent(share))
+        });
+        format!("error: {bound}{}{of}", percent(error))
     }
-    text += &match outcome.extensions {
-        0 => String::new(),
-        n => format!(
-            "\nrendered more samples {}: the error was still above the target",
-            match n {
-                1 => "once".to_owned(),
-                2 => "twice".to_owned(),
-                n => format!("{n} times"),
-            }
-        ),
-    };
-    text + "\n"
-}
 
-/// The error of the picture.
-fn error(outcome: &Outcome, goal: &Goal, sampler: Sampler) -> String {
-    let reached = &outcome.reached;
-    let film = &outcome.rendered.film;
-    if reached.error.is_infinite() {
-        let least = film.pixels().iter().map(|p| p.count()).min().unwrap_or(0);
-        let why = match least {
-            0 => "some pixels have no sample",
-            1 => "one sample has no spread",
-            _ if film.max() == 0.0 => "no sample found light",
-            _ => {
-                "all samples of each pixel are alike: they are exact, or what differs is too rare to \
-                 have been met"
-            }
+    /// Samples and seconds beside those that were predicted.
+    fn samples(&self) -> String {
+        let Reached {
+            spp, seconds: gone, ..
+        } = self.outcome.reached;
+        let mut samples = format!("samples per pixel: {spp}");
+        let mut time = format!("time: {}", seconds(gone));
+        if let Some(said) = &self.outcome.prediction {
+            samples += &format!(", predicted {}", said.spp);
+            time += &format!(", predicted {}", seconds(said.seconds));
+        }
+        let again = match self.outcome.stopped_by {
+            StoppedBy::Interrupt => String::new(),
+            _ => format!("; the same picture comes by --spp {spp}"),
         };
-        return format!("error: not known ({why})");
+        format!("\n{samples}; {time}{again}")
     }
-    let bound = if is_bound(outcome, sampler) {
-        "at most "
-    } else {
-        ""
-    };
-    let of = match goal.measure {
-        Measure::RootMeanSquare => String::new(),
-        Measure::Quantile(share) => format!(" or less in {} of the pixels", percent(share)),
-    };
-    format!("error: {bound}{}{of}", percent(reached.error))
 }
 
-/// True where even samples are too few to tell their error, and no pilot has told it.
-fn is_bound(outcome: &Outcome, sampler: Sampler) -> bool {
-    let pilot = outcome.prediction.is_some_and(|said| said.separate);
-    !pilot && outcome.reached.spp < fewest(sampler)
-}
-
-/// Samples and seconds beside those that were predicted.
-fn samples(outcome: &Outcome) -> String {
-    let reached = &outcome.reached;
-    let [mut samples, mut time] = ["samples per pixel", "time"].map(str::to_owned);
-    samples += &format!(": {}", reached.spp);
-    time += &format!(": {}", seconds(reached.seconds));
-    if let Some(said) = &outcome.prediction {
-        samples += &format!(", predicted {}", said.spp);
-        time += &format!(", predicted {}", seconds(said.seconds));
+impl Display for Ended<'_> {
+    fn fmt(&self, f: &mut Formatter) -> fmt::Result {
+        let has_goal = self.target.is_some() || self.time.is_some();
+        f.write_str(&self.error())?;
+        let finder = self.left_out.and_then(LeftOut::finder);
+        if let Some(name) = finder.filter(|_| self.outcome.reached.error.is_finite()) {
+            write!(f, " of the light that {name} finds")?;
+        }
+        if let Some(target) = self.target {
+            write!(f, ", target {}", percent(target))?;
+        }
+        if let Some(said) = self
+            .outcome
+            .prediction
+            .filter(|said| said.error.is_finite())
+        {
+            write!(f, "; predicted {}", percent(said.error))?;
+        }
+        if has_goal {
+            f.write_str(&self.samples())?;
+        }
+        if let Some(top) = self.top_share {
+            let worst = match self.outcome.rendered.film.pixels().len() {
+                0..=1000 => "worst pixel has",
+                _ => "worst 0.1 % of the pixels have",
+            };
+            let top = percent(top);
+            write!(f, "\nfireflies: the {worst} {top} of the squared error")?;
+        }
+        if has_goal {
+            f.write_str(&self.end())?;
+        }
+        let times = match self.outcome.extensions {
+            0 => return writeln!(f),
+            1 => "once".to_owned(),
+            2 => "twice".to_owned(),
+            n => format!("{n} times"),
+        };
+        writeln!(
+            f,
+            "\nrendered more samples {times}: the error was still above the target"
+        )
     }
-    let again = match outcome.stopped_by {
-        StoppedBy::Interrupt => String::new(),
-        _ => format!("; the same picture comes by --spp {}", reached.spp),
-    };
-    format!("\n{samples}; {time}{again}")
-}
-
-/// The share of the worst thousandth of the pixels in the squared error, where there is one to speak of.
-fn top_share(outcome: &Outcome) -> Option<f64> {
-    let rendered = &outcome.rendered;
-    let accuracy = Accuracy::of(&rendered.film);
-    let noise = accuracy.error(Measure::RootMeanSquare);
-    let told = noise.is_finite() && noise > rounding(&rendered.rays);
-    told.then(|| accuracy.top_share())
-}
-
-/// The same for machines.
-pub(super) fn as_json(outcome: &Outcome, goal: &Goal, sampler: Sampler) -> Value {
-    let quantile = match goal.measure {
-        Measure::RootMeanSquare => None,
-        Measure::Quantile(share) => Some(share),
-    };
-    json!({
-        "target": goal.error,
-        "tolerance": goal.error.map(|_| TOLERANCE),
-        "quantile": quantile,
-        "time": goal.time.map(|t| t.as_secs_f64()),
-        "prediction": outcome.prediction,
-        "reached": outcome.reached,
-        "error_is_a_bound": is_bound(outcome, sampler),
-        "stopped_by": outcome.stopped_by,
-        "extensions": outcome.extensions,
-        "top_share": top_share(outcome),
-    })
 }
 
 #[cfg(test)]

@@ -1,6 +1,7 @@
 //! `halfdisk tour`.
 
-use super::{Stop, answer, check_folder, page, save};
+use super::answer::print;
+use super::{Stop, check_folder, page, save};
 use crate::desk::{Record, on_ctrl_c, tell};
 use clap::Args;
 use std::io::Read;
@@ -88,7 +89,7 @@ impl Tour {
             let count = chosen.len();
             let line = format!("[{done}/{count}] {id} {}: {ledger}\n", record.title);
             // The chapters are worth running where nobody can read about them.
-            said = said.and(answer(&line));
+            said = said.and(print(&line));
         }
         if matches!(ended, Err(Stop::Interrupted)) {
             tell(format_args!(
@@ -116,9 +117,7 @@ impl Tour {
     }
 
     fn run_chapter(&self, folder: &Path, id: &str, program: &str) -> Result<Record, Stop> {
-        let program = folder
-            .join(program)
-            .with_extension(std::env::consts::EXE_EXTENSION);
+        let program = file_of(folder, program);
         let mut command = Command::new(&program);
         command.arg("--out").arg(&self.out).stderr(Stdio::inherit());
         if self.quick {
@@ -183,6 +182,13 @@ fn read_record(folder: &Path) -> Result<Record, Stop> {
     serde_json::from_str(&text).map_err(|e| Stop::Failure(format!("{}: {e}", path.display())))
 }
 
+/// The file of a program.
+fn file_of(folder: &Path, program: &str) -> PathBuf {
+    folder
+        .join(program)
+        .with_extension(std::env::consts::EXE_EXTENSION)
+}
+
 /// The folder of the chapter programs, beside this one. Under cargo they are brought up to date
 /// first, as cargo built only this program; installed, they were installed together.
 fn programs() -> Result<PathBuf, Stop> {
@@ -194,12 +200,9 @@ fn programs() -> Result<PathBuf, Stop> {
     ) {
         build(Path::new(&cargo), Path::new(&package), &folder)?;
     }
-    let missing = CHAPTERS.iter().find(|(_, program)| {
-        let file = folder
-            .join(program)
-            .with_extension(std::env::consts::EXE_EXTENSION);
-        !file.exists()
-    });
+    let missing = CHAPTERS
+        .iter()
+        .find(|(_, program)| !file_of(&folder, program).exists());
     match missing {
         None => Ok(folder),
         Some((_, program)) => Err(Stop::Failure(format!(

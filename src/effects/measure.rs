@@ -7,7 +7,9 @@ use crate::render::accuracy::Scale;
 use crate::render::{self, Options, Picture, Progress, Rendered};
 use crate::sampling::stream::Sampler;
 use crate::scene::Scene;
-use crate::stats::{Estimate, slope::student_95};
+use crate::stats::{Estimate, Measurement, jackknife, slope::student_95};
+use serde::Serialize;
+use std::fmt::{self, Display, Formatter};
 
 /// A scene, and which of its paths count.
 #[derive(Clone, Debug)]
@@ -33,31 +35,47 @@ impl Setup {
 }
 
 /// What was measured.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, Serialize)]
 pub struct Difference {
-    /// Logarithm of the time with over the time without, one value for each round.
-    pub log_time: Estimate,
+    /// The time with over the time without.
+    #[serde(rename = "time_ratio")]
+    pub time: Times,
     /// Rays with, over rays without.
+    #[serde(rename = "rays_ratio")]
     pub rays: f64,
     /// Rays of all renders together.
+    #[serde(skip)]
     pub traced: u64,
     /// The share of the light, in the mean of the picture, that is there with and not without.
-    pub share: f64,
-    /// Its standard error.
-    pub share_error: f64,
+    pub share: Measurement,
     /// The squared relative error (see [`accuracy`](crate::render::accuracy)) of the pictures without
-    /// against those with: of what differs, not of the noise.
-    pub rel_mse: f64,
-    /// Its standard error, by the jackknife over rounds.
-    pub rel_mse_error: f64,
+    /// against those with: of what differs, not of the noise. Its own error is the jackknife's over rounds.
+    pub rel_mse: Measurement,
 }
 
-impl Difference {
-    /// The time with over the time without, and the ends of its 95 % interval.
-    pub fn time(&self) -> [f64; 3] {
-        let log = &self.log_time;
+/// A ratio of times, and the ends of its 95 % interval.
+#[derive(Clone, Copy, Debug, Serialize)]
+pub struct Times {
+    /// The ratio.
+    pub value: f64,
+    /// Lower end of the interval.
+    pub low: f64,
+    /// Upper end of the interval.
+    pub high: f64,
+}
+
+impl Times {
+    /// From the logarithm of the ratio in each of several rounds.
+    fn of(log: &Estimate) -> Times {
         let half = student_95(log.count() as usize - 1) * log.std_error();
-        [log.mean(), log.mean() - half, log.mean() + half].map(libm::exp)
+        let [value, low, high] = [log.mean(), log.mean() - half, log.mean() + half].map(libm::exp);
+        Times { value, low, high }
+    }
+}
+
+impl Display for Times {
+    fn fmt(&self, f: &mut Formatter) -> fmt::Result {
+        write!(f, "{:.2} [{:.2}, {:.2}]", self.value, self.low, self.high)
     }
 }
 
@@ -117,20 +135,18 @@ pub fn difference_watched(
         rays[1] += b.rays.total();
         pictures.push([a.film.picture(), b.film.picture()]);
     }
-    let [(share, share_error), (rel_mse, rel_mse_error)] = changed(&pictures);
+    let [share, rel_mse] = changed(&pictures);
     Some(Difference {
-        log_time,
+        time: Times::of(&log_time),
         rays: rays[0] as f64 / (rays[1] as f64).max(1.0),
         traced: rays.iter().sum(),
         share,
-        share_error,
         rel_mse,
-        rel_mse_error,
     })
 }
 
 /// The share of the light and the squared relative error of what differs, each with its standard error.
-fn changed(pictures: &[Pair]) -> [(f64, f64); 2] {
+fn changed(pictures: &[Pair]) -> [Measurement; 2] {
     let means: Vec<[f64; 2]> = pictures
         .iter()
         .map(|pair| pair.each_ref().map(|picture| picture.mean().0))
@@ -145,12 +161,10 @@ fn changed(pictures: &[Pair]) -> [(f64, f64); 2] {
         let others = pictures.iter().enumerate().filter(|(j, _)| *j != i);
         rel_mse(&others.map(|(_, pair)| pair).collect::<Vec<_>>())
     };
-    let jackknife: Estimate = (0..pictures.len()).map(left_out).collect();
-    // (n - 1)²/n times the variance of what is left.
-    let error = (pictures.len() as f64 - 1.0) * jackknife.std_error();
+    let others: Vec<f64> = (0..pictures.len()).map(left_out).collect();
     [
-        (share, ratio(off.std_error(), light.mean())),
-        (rel_mse(&all), error),
+        (share, ratio(off.std_error(), light.mean())).into(),
+        (rel_mse(&all), jackknife(&others)).into(),
     ]
 }
 
@@ -227,9 +241,9 @@ mod tests {
         let mut values = [Estimate::new(); 2];
         let mut squares = [Estimate::new(); 2];
         for run in 0..400 {
-            for (k, (value, error)) in changed(&rounds(run, 6)).into_iter().enumerate() {
-                values[k].add(value);
-                squares[k].add(error * error);
+            for (k, m) in changed(&rounds(run, 6)).into_iter().enumerate() {
+                values[k].add(m.value);
+                squares[k].add(m.error * m.error);
             }
         }
         for (k, truth) in [0.25, 0.0625].into_iter().enumerate() {
@@ -250,9 +264,12 @@ mod tests {
         };
         // The same noise in all rounds is none: 1 of 1.5, which is the mean of both pixels.
         let pairs = vec![[grey(1.0), grey(0.0)]; 3];
-        let [(share, share_error), (rel_mse, rel_mse_error)] = changed(&pairs);
-        assert!((share - 1.0 / 3.0).abs() < 1e-12 && share_error < 1e-12);
-        assert!((rel_mse - 1.0 / 2.25 / 2.0).abs() < 1e-12, "{rel_mse}");
-        assert!(rel_mse_error < 1e-12);
+        let [share, rel_mse] = changed(&pairs);
+        assert!((share.value - 1.0 / 3.0).abs() < 1e-12 && share.error < 1e-12);
+        assert!(
+            (rel_mse.value - 1.0 / 2.25 / 2.0).abs() < 1e-12,
+            "{rel_mse:?}"
+        );
+        assert!(rel_mse.error < 1e-12);
     }
 }

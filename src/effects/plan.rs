@@ -5,6 +5,7 @@ use crate::notation::{Expression, Language, Word};
 use crate::numeric::count;
 use crate::scene::{Effect, Inventory, Scene, Sky};
 use serde::Serialize;
+use std::fmt::{self, Display, Formatter};
 
 /// What a scene calls for.
 #[derive(Clone, Debug, Serialize)]
@@ -52,6 +53,39 @@ pub struct Demand {
 
 /// Words shown of a language.
 const SHOWN: usize = 5;
+
+impl Display for Plan {
+    fn fmt(&self, f: &mut Formatter) -> fmt::Result {
+        for (simulated, title) in [(true, "simulated"), (false, "not simulated")] {
+            let lines = || self.lines.iter().filter(|l| l.simulated == simulated);
+            if lines().next().is_some() {
+                writeln!(f, "\n{title}")?;
+            }
+            for line in lines() {
+                writeln!(f, "  {:<13} {}", line.effect.name(), line.reason)?;
+            }
+        }
+        let none = "none, so the picture is black";
+        let paths = self.paths.as_deref().unwrap_or(none);
+        writeln!(f, "\nlight paths: {paths}")?;
+        if let Some(OutOfReach { paths, reason }) = &self.out_of_reach {
+            writeln!(f, "out of reach: {paths}: {reason}")?;
+        }
+        self.notes
+            .iter()
+            .try_for_each(|note| writeln!(f, "note: {note}"))
+    }
+}
+
+impl Display for Demand {
+    fn fmt(&self, f: &mut Formatter) -> fmt::Result {
+        if self.all {
+            return writeln!(f, "the demand: every path of the scene");
+        }
+        writeln!(f, "the demand keeps {} …", self.kept.join(", "))?;
+        writeln!(f, "        and leaves out {} …", self.left_out.join(", "))
+    }
+}
 
 /// What a scene calls for.
 pub fn plan(scene: &Scene) -> Plan {
@@ -112,31 +146,23 @@ pub fn reason(effect: Effect, has: &Inventory) -> String {
         return "nothing shines, so there is nothing to simulate".to_owned();
     }
     match (effect, simulated) {
-        (Effect::PointLights, true) if !has.is_rough() => format!(
-            "{}, but only rough surfaces show it, and there are none",
-            count(
-                has.point_lights,
-                "light without extent",
-                "lights without extent"
-            )
-        ),
-        (Effect::PointLights, true) => format!(
-            "{}: found by shadow rays, for no path can meet them",
-            count(
-                has.point_lights,
-                "light without extent",
-                "lights without extent"
-            )
-        ),
+        (Effect::PointLights, true) => {
+            let (one, many) = ("light without extent", "lights without extent");
+            let how = match has.is_rough() {
+                true => ": found by shadow rays, for no path can meet them",
+                false => ", but only rough surfaces show it, and there are none",
+            };
+            count(has.point_lights, one, many) + how
+        }
         (Effect::PointLights, false) => "no light is a point or a direction".to_owned(),
-        (Effect::AreaLights, true) if !has.is_rough() => format!(
-            "{}: met by paths, for no surface is rough and could aim",
-            count(has.area_lights, "surface shines", "surfaces shine")
-        ),
-        (Effect::AreaLights, true) => format!(
-            "{}: aimed at, met by chance, and weighted by how likely either was",
-            count(has.area_lights, "surface shines", "surfaces shine")
-        ),
+        (Effect::AreaLights, true) => {
+            let how = match has.is_rough() {
+                true => "aimed at, met by chance, and weighted by how likely either was",
+                false => "met by paths, for no surface is rough and could aim",
+            };
+            let lights = count(has.area_lights, "surface shines", "surfaces shine");
+            format!("{lights}: {how}")
+        }
         (Effect::AreaLights, false) => "no surface shines".to_owned(),
         (Effect::Sky, true) => match has.sky {
             Sky::Image if has.is_rough() => {

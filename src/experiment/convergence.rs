@@ -1,21 +1,19 @@
-//! How fast does an estimator's error fall? Many runs at many sizes, and a line.
-//!
-//! Every run has random numbers of its own, also from one size to the next: points of one run
-//! that goes on are correlated, and intervals drawn from them too narrow.
+//! How fast does an estimator's error fall? A [`Study`] of many runs at many sizes, and a line.
 
+use super::study::{Study, seed_of};
 use crate::render::Progress;
-use crate::stats::Estimate;
-use crate::stats::slope::{self, Fit, Insufficient};
+use crate::stats::slope::{Fit, Insufficient};
+use crate::stats::{Estimate, Measurement};
 use rayon::prelude::*;
-use serde::Serialize;
+use serde::{Serialize, Serializer};
 use std::collections::BTreeMap;
-use std::fmt::Write as _;
+use std::fmt::{self, Display, Formatter, Write as _};
 use std::sync::atomic::{AtomicU32, Ordering};
 use std::sync::mpsc::{self, RecvTimeoutError};
 use std::time::Duration;
 
 /// An estimator with a name and a known truth.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy, Debug, Serialize)]
 pub struct Estimator {
     /// Its name.
     pub name: &'static str,
@@ -24,11 +22,20 @@ pub struct Estimator {
     /// What it should give.
     pub truth: f64,
     /// Rays, or evaluations of an integrand, for each sample.
+    #[serde(skip)]
     pub rays_per_sample: u32,
     /// The sizes it can be run at.
     pub sizes: Sizes,
     /// The estimate after `n` samples, a pure function of `n` and the seed.
+    #[serde(skip)]
     pub run: fn(n: u32, seed: u64) -> f64,
+}
+
+/// Its line in a list.
+impl Display for Estimator {
+    fn fmt(&self, f: &mut Formatter) -> fmt::Result {
+        writeln!(f, "{:<27} {}", self.name, self.about)
+    }
 }
 
 /// Which numbers of samples an estimator can be run with.
@@ -93,11 +100,36 @@ pub struct Convergence {
     /// What it should give.
     pub truth: f64,
     /// Independent runs at each size.
+    #[serde(skip)]
     pub replicates: u32,
     /// The sizes, the smallest first.
     pub sizes: Vec<Size>,
     /// The slope of error against samples, or why it cannot be stated.
+    #[serde(flatten, serialize_with = "say")]
     pub fit: Result<Fit, Insufficient>,
+}
+
+/// A slope as a fit, or the words why there is none, and in any case a sentence.
+fn say<S: Serializer>(fit: &Result<Fit, Insufficient>, serializer: S) -> Result<S::Ok, S::Error> {
+    #[derive(Serialize)]
+    struct Said {
+        fit: Option<Fit>,
+        insufficient: Option<String>,
+        says: String,
+    }
+    Said {
+        fit: fit.ok(),
+        insufficient: fit.err().map(|why| why.to_string()),
+        says: slope_text(fit),
+    }
+    .serialize(serializer)
+}
+
+fn slope_text(fit: &Result<Fit, Insufficient>) -> String {
+    match fit {
+        Ok(fit) => fit.to_string(),
+        Err(why) => format!("insufficient: {why}"),
+    }
 }
 
 impl Sizes {
@@ -117,11 +149,11 @@ impl Sizes {
 /// Runs an estimator as designed, on all threads; their number changes no bit.
 pub fn converge(estimator: &Estimator, design: &Design) -> Convergence {
     let sizes = estimator.sizes.list(design);
-    let errors = (0..design.replicates)
-        .into_par_iter()
+    let runs = (0..design.replicates).into_par_iter();
+    let runs = runs
         .map(|r| replicate(estimator, design, &sizes, r))
         .collect();
-    gathered(estimator, design, &sizes, errors)
+    gathered(estimator, Study { sizes, runs })
 }
 
 /// How often it is asked whether to stop.
@@ -166,80 +198,42 @@ pub fn converge_watched(
             Err(RecvTimeoutError::Disconnected) => break,
         }
     }
-    let errors: Vec<_> = (0..).map_while(|r| errors.remove(&r)).collect();
-    let design = Design {
-        replicates: errors.len() as u32,
-        ..*design
-    };
-    (!errors.is_empty()).then(|| gathered(estimator, &design, &sizes, errors))
+    let runs: Vec<_> = (0..).map_while(|r| errors.remove(&r)).collect();
+    (!runs.is_empty()).then(|| gathered(estimator, Study { sizes, runs }))
 }
 
 /// The errors of one replicate at each size, every run under a seed that no other has.
 fn replicate(estimator: &Estimator, design: &Design, sizes: &[u32], r: u32) -> Vec<f64> {
     let run = |(k, &n): (usize, &u32)| {
-        let seed = seed_of(design.seed, r, k as u32);
+        let seed = seed_of(design.seed, r, k as u64);
         (estimator.run)(n, seed) - estimator.truth
     };
     sizes.iter().enumerate().map(run).collect()
 }
 
-/// What `errors[r][k]` of all replicates and sizes amount to.
-fn gathered(
-    estimator: &Estimator,
-    design: &Design,
-    sizes: &[u32],
-    errors: Vec<Vec<f64>>,
-) -> Convergence {
-    let squares: Vec<Vec<f64>> = errors
-        .iter()
-        .map(|row| row.iter().map(|e| e * e).collect())
-        .collect();
-    let samples: Vec<f64> = sizes.iter().copied().map(f64::from).collect();
+/// What the errors of all replicates and sizes amount to.
+fn gathered(estimator: &Estimator, errors: Study<f64>) -> Convergence {
+    let square = |e: &f64| e * e;
+    let size = |(k, &samples): (usize, &u32)| {
+        let bias: Estimate = errors.at(k, |e| *e);
+        let Measurement { value, error } = errors.at(k, square).root();
+        Size {
+            samples,
+            rays: u64::from(samples) * u64::from(estimator.rays_per_sample),
+            bias: bias.mean(),
+            bias_error: bias.std_error(),
+            rmse: value,
+            rmse_error: error,
+            variance: (bias.count() > 1).then(|| bias.variance()),
+        }
+    };
     Convergence {
         name: estimator.name.to_owned(),
         truth: estimator.truth,
-        replicates: design.replicates,
-        sizes: sizes
-            .iter()
-            .enumerate()
-            .map(|(k, &n)| {
-                size(
-                    n,
-                    estimator.rays_per_sample,
-                    errors.iter().map(|row| row[k]),
-                )
-            })
-            .collect(),
-        fit: slope::fit(&samples, &squares),
+        replicates: errors.runs.len() as u32,
+        sizes: errors.sizes.iter().enumerate().map(size).collect(),
+        fit: errors.fit(|n, _| f64::from(n), square),
     }
-}
-
-fn size(samples: u32, rays_per_sample: u32, errors: impl Iterator<Item = f64> + Clone) -> Size {
-    let bias: Estimate = errors.clone().collect();
-    let square: Estimate = errors.map(|e| e * e).collect();
-    let rmse = square.mean().sqrt();
-    // The square root's error to first order: d√m = dm / 2√m.
-    let rmse_error = if rmse == 0.0 && square.count() > 1 {
-        0.0
-    } else {
-        square.std_error() / (2.0 * rmse)
-    };
-    Size {
-        samples,
-        rays: u64::from(samples) * u64::from(rays_per_sample),
-        bias: bias.mean(),
-        bias_error: bias.std_error(),
-        rmse,
-        rmse_error,
-        variance: (bias.count() > 1).then(|| bias.variance()),
-    }
-}
-
-/// The seed of one run: distinct for distinct runs of a design.
-fn seed_of(seed: u64, replicate: u32, size: u32) -> u64 {
-    let run = u64::from(size) << 32 | u64::from(replicate);
-    // An odd factor is a bijection; neighbouring seeds of a design stay far apart.
-    seed.wrapping_mul(0x9e37_79b9_7f4a_7c15).wrapping_add(run)
 }
 
 impl Convergence {
@@ -251,36 +245,43 @@ impl Convergence {
         }
     }
 
-    /// One line for each size, with a header. A variance that is not known is left empty.
-    pub fn to_csv(&self) -> String {
-        let mut csv = String::from("name,samples,rays,bias,bias_error,rmse,rmse_error,variance\n");
-        for s in &self.sizes {
-            let _ = writeln!(
-                csv,
-                "{},{},{},{:e},{:e},{:e},{:e},{}",
-                self.name,
-                s.samples,
-                s.rays,
-                s.bias,
-                s.bias_error,
-                s.rmse,
-                s.rmse_error,
-                s.variance.map_or_else(String::new, |v| format!("{v:e}"))
-            );
-        }
-        csv
-    }
-
-    /// The whole, for machines.
-    pub fn to_json(&self) -> Result<String, serde_json::Error> {
-        serde_json::to_string_pretty(self)
-    }
-
     /// The slope and its 95 % interval in a few words, or why there is none.
     pub fn slope_text(&self) -> String {
-        match &self.fit {
-            Ok(fit) => fit.to_string(),
-            Err(why) => format!("insufficient: {why}"),
-        }
+        slope_text(&self.fit)
     }
+}
+
+/// A table of the sizes, and the slope.
+impl Display for Convergence {
+    fn fmt(&self, f: &mut Formatter) -> fmt::Result {
+        // One run alone knows neither its error nor its variance.
+        let unknown = || "unknown".to_owned();
+        writeln!(f, "{}, exact {}", self.name, self.truth)?;
+        writeln!(f, "{:>10}   error ± its error         variance", "N")?;
+        for s in &self.sizes {
+            let own = Some(s.rmse_error).filter(|own| own.is_finite());
+            let own = own.map_or_else(unknown, |own| format!("{own:.1e}"));
+            let variance = s.variance.map_or_else(unknown, |v| format!("{v:.3e}"));
+            let (n, rmse) = (s.samples, s.rmse);
+            writeln!(f, "{n:>10}   {rmse:.3e} ± {own:<10}   {variance}")?;
+        }
+        writeln!(f, "{}\n", self.slope_text())
+    }
+}
+
+/// One line for each estimator and size, with a header. A variance that is not known is left empty.
+pub fn csv(all: &[Convergence]) -> String {
+    let mut csv = String::from("name,samples,rays,bias,bias_error,rmse,rmse_error,variance\n");
+    for (run, s) in all
+        .iter()
+        .flat_map(|run| run.sizes.iter().map(move |s| (run, s)))
+    {
+        let variance = s.variance.map_or_else(String::new, |v| format!("{v:e}"));
+        let _ = writeln!(
+            csv,
+            "{},{},{},{:e},{:e},{:e},{:e},{variance}",
+            run.name, s.samples, s.rays, s.bias, s.bias_error, s.rmse, s.rmse_error,
+        );
+    }
+    csv
 }

@@ -1,5 +1,6 @@
 //! Repeated runs that end in data.
 //!
+//! * [`study`]: runs at several sizes, many times, and what they say; what the next two stand on;
 //! * [`convergence`]: how an estimator's error falls with its samples;
 //! * [`cost`]: what accuracy costs, for every way to make a picture;
 //! * [`named`]: the estimators one can ask for by name;
@@ -15,3 +16,4 @@ pub mod noise;
 pub mod price;
 pub mod robustness;
 pub mod stopwatch;
+pub mod study;

@@ -4,7 +4,7 @@
 //! numbers. Two runs apart would hide it in their own noise. So the longer run contains the shorter
 //! one, and any block may be the one that is left out: both noises come from the same blocks.
 
-use crate::stats::Estimate;
+use crate::stats::{Measurement, jackknife};
 use rayon::prelude::*;
 
 /// Blocks of each run: twenty, and one more.
@@ -13,24 +13,15 @@ pub const BLOCKS: usize = 21;
 /// Groups of runs, left out one after the other for the errors.
 const GROUPS: usize = 40;
 
-/// A number and its standard error.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Found {
-    /// The number.
-    pub value: f64,
-    /// Its standard error.
-    pub error: f64,
-}
-
 /// By how much noise falls.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Falls {
     /// From one block to two, as a share of the noise of one.
-    pub one_to_two: Found,
+    pub one_to_two: Measurement,
     /// From twenty to twenty-one, as a share of the noise of twenty.
-    pub twenty_to_more: Found,
+    pub twenty_to_more: Measurement,
     /// The first fall over the second, both as they are.
-    pub ratio: Found,
+    pub ratio: Measurement,
 }
 
 /// Sums of squared distances from the truth, of means of 1, 2, 20 and 21 blocks.
@@ -56,15 +47,9 @@ pub fn falls(runs_each: u32, truth: f64, block: impl Fn(u32) -> f64 + Sync) -> F
     let all = |k: usize| groups.iter().map(|g| g[k]).sum::<f64>();
     let all: Squares = [0, 1, 2, 3].map(all);
     let found = |of: fn(&Squares) -> f64| {
-        let others: Estimate = groups
-            .iter()
-            .map(|own| of(&[0, 1, 2, 3].map(|k| all[k] - own[k])))
-            .collect();
-        // The jackknife's error: (g - 1)² times the squared error of the mean of what is left.
-        Found {
-            value: of(&all),
-            error: (GROUPS - 1) as f64 * others.std_error(),
-        }
+        let without = |own: &Squares| of(&[0, 1, 2, 3].map(|k| all[k] - own[k]));
+        let others: Vec<f64> = groups.iter().map(without).collect();
+        Measurement::from((of(&all), jackknife(&others)))
     };
     Falls {
         one_to_two: found(|s| 1.0 - (s[1] / s[0]).sqrt()),
@@ -97,7 +82,7 @@ mod tests {
     fn the_falls_are_those_of_the_root_and_a_mean_that_drifts_is_noticed() {
         let block = |i| f64::from(Stream::new(3, i, 0).at(0, Purpose::Pixel).one());
         let found = falls(200, 0.5, block);
-        let near = |f: Found, exact: f64| (f.value - exact).abs() < 4.0 * f.error;
+        let near = |f: Measurement, exact: f64| (f.value - exact).abs() < 4.0 * f.error;
         assert!(near(found.one_to_two, 1.0 - 0.5_f64.sqrt()), "{found:?}");
         assert!(
             near(found.twenty_to_more, 1.0 - (20.0 / 21.0_f64).sqrt()),

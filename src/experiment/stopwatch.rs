@@ -1,5 +1,6 @@
 //! How long one thing takes for the time of another.
 
+use super::study::order;
 use crate::stats::Estimate;
 use std::hint::black_box;
 use std::time::Instant;
@@ -9,28 +10,17 @@ use std::time::Instant;
 /// Each round times both, in alternating order, so that what slows the machine for a while slows both;
 /// of all rounds the middle half is kept, for some are interrupted.
 pub fn in_turns<A, B>(rounds: u32, a: impl Fn() -> A, b: impl Fn() -> B) -> Estimate {
-    let time_a = || {
-        let start = Instant::now();
-        black_box(a());
-        start.elapsed().as_secs_f64()
+    let work: [&dyn Fn(); 2] = [&|| drop(black_box(a())), &|| drop(black_box(b()))];
+    let ratio = |round| {
+        let mut seconds = [0.0; 2];
+        for i in order(round, 2) {
+            let start = Instant::now();
+            work[i]();
+            seconds[i] = start.elapsed().as_secs_f64();
+        }
+        seconds[1] / seconds[0].max(f64::MIN_POSITIVE)
     };
-    let time_b = || {
-        let start = Instant::now();
-        black_box(b());
-        start.elapsed().as_secs_f64()
-    };
-    let mut ratios: Vec<f64> = (0..rounds)
-        .map(|round| {
-            let (a, b) = if round % 2 == 0 {
-                let a = time_a();
-                (a, time_b())
-            } else {
-                let b = time_b();
-                (time_a(), b)
-            };
-            b / a.max(f64::MIN_POSITIVE)
-        })
-        .collect();
+    let mut ratios: Vec<f64> = (0..rounds).map(ratio).collect();
     ratios.sort_by(f64::total_cmp);
     let aside = ratios.len() / 4;
     ratios[aside..ratios.len() - aside]

@@ -3,7 +3,7 @@
 use crate::chart::{Axis, Curve, CurveChart, Point, Style};
 use crate::experiment::convergence::Convergence;
 use crate::numeric::fixed;
-use crate::stats::slope::{Fit, Insufficient, Line};
+use crate::stats::slope::{Fit, Line};
 
 /// Error against samples on logarithmic axes: measured points with their error bars, and in the
 /// same colour the fitted line, whose slope stands in the legend. A run that is alone shows its
@@ -69,7 +69,7 @@ fn curves(run: &Convergence) -> Vec<Curve> {
         style: Style::Marks,
         colour: None,
     };
-    if let Ok(Fit { line, .. }) | Err(Insufficient::Wide(Fit { line, .. })) = run.fit {
+    if let Some(Fit { line, .. }) = run.line() {
         let ends = [run.sizes.first(), run.sizes.last()];
         let points = ends.into_iter().flatten().map(|size| {
             let n = f64::from(size.samples);

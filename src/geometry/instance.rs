@@ -1,15 +1,32 @@
-//! A mesh that stands in many places and is stored once.
+//! A shape that stands in many places and is stored once.
 
 use super::{Aabb, Bvh, Crossing, PreparedRay, Primitive, Ray, Shape, Surface, Triangle};
 use crate::numeric::gamma;
 use glam::{DMat3, DVec3, Vec3};
+use std::fmt::Debug;
 use std::sync::Arc;
 
 /// The largest product of the largest factors by which a transformation and its inverse stretch: with
 /// more, the roundings of one space would be too large in the other.
 const WORST_CONDITION: f64 = 1e4;
 
-/// Triangles in coordinates of their own, to be placed by [`Instance`]s.
+/// A shape in coordinates of its own, to be placed by [`Instance`]s: a mesh, or one's own.
+///
+/// Distances along a ray count in units of its direction's length, which may be any.
+pub trait InstancedShape: Debug + Send + Sync {
+    /// A box that holds it.
+    fn bounds(&self) -> Aabb;
+
+    /// The first intersection with `0 < t <= ray.t_max`, whose `u`, `v` and `part` are the shape's own
+    /// matter; textures find the first two.
+    fn intersect(&self, ray: &Ray) -> Option<Crossing>;
+
+    /// The surface there. The point lies on the shape up to its `error`, which must be sure along the
+    /// normal, or rays that leave it meet it again.
+    fn surface(&self, ray: &Ray, crossing: Crossing) -> Surface;
+}
+
+/// Triangles in coordinates of their own.
 #[derive(Clone, Debug)]
 pub struct SharedMesh {
     triangles: Vec<Triangle>,
@@ -32,7 +49,26 @@ impl SharedMesh {
     }
 }
 
-/// A mesh in a place: rays are brought to it, by the inverse of the transformation that puts it there.
+impl InstancedShape for SharedMesh {
+    fn bounds(&self) -> Aabb {
+        let all = self.triangles.iter().map(Triangle::bounds);
+        all.fold(Aabb::EMPTY, Aabb::union)
+    }
+
+    fn intersect(&self, ray: &Ray) -> Option<Crossing> {
+        let found = self.bvh.first(ray)?;
+        Some(Crossing {
+            part: found.id,
+            ..found.crossing
+        })
+    }
+
+    fn surface(&self, _: &Ray, crossing: Crossing) -> Surface {
+        self.triangles[crossing.part as usize].surface(crossing)
+    }
+}
+
+/// A shape in a place: rays are brought to it, by the inverse of the transformation that puts it there.
 ///
 /// Distances along a ray are the same in both spaces, for its direction is transformed with it and keeps
 /// the length that it gets. Source: Pharr, Jakob, Humphreys, Physically Based Rendering (4th ed. 2023),
@@ -40,17 +76,17 @@ impl SharedMesh {
 /// transformed, and the roundings of the way there and back.
 #[derive(Clone, Debug)]
 pub struct Instance {
-    mesh: Arc<SharedMesh>,
+    shape: Arc<dyn InstancedShape>,
     to_world: DMat3,
     shift: DVec3,
-    to_mesh: DMat3,
+    to_shape: DMat3,
     bounds: Aabb,
 }
 
 impl Instance {
-    /// The mesh with `linear` applied to each point, and then shifted; `None` where the two spaces are so
-    /// different that roundings do not carry over, or the mesh does not fit into finite numbers.
-    pub fn new(mesh: Arc<SharedMesh>, linear: DMat3, shift: DVec3) -> Option<Self> {
+    /// The shape with `linear` applied to each point, and then shifted; `None` where the two spaces are so
+    /// different that roundings do not carry over, or the shape does not fit into finite numbers.
+    pub fn new(shape: Arc<dyn InstancedShape>, linear: DMat3, shift: DVec3) -> Option<Self> {
         let inverse = linear.inverse();
         let size = |m: DMat3| {
             m.to_cols_array()
@@ -60,37 +96,47 @@ impl Instance {
         let condition = size(linear) * size(inverse);
         // A NaN of a singular matrix is not below either.
         let well = condition <= WORST_CONDITION;
+        let Aabb { min, max } = shape.bounds();
         let mut instance = Instance {
-            mesh,
+            shape,
             to_world: linear,
             shift,
-            to_mesh: inverse,
+            to_shape: inverse,
             bounds: Aabb::EMPTY,
         };
-        let corners = || instance.mesh.triangles.iter().flat_map(|t| [t.a, t.b, t.c]);
-        let around = Aabb::of(corners().map(|p| instance.point(p)));
-        let error = corners()
-            .map(|p| instance.error(p, p.abs() * gamma(6), instance.point(p)))
-            .fold(Vec3::ZERO, Vec3::max);
-        instance.bounds = Aabb {
-            min: around.min - error,
-            max: around.max + error,
-        };
+        let corners = (0..8).map(|i| {
+            let side = |axis: usize| {
+                if i >> axis & 1 == 0 {
+                    min[axis]
+                } else {
+                    max[axis]
+                }
+            };
+            let corner = Vec3::new(side(0), side(1), side(2));
+            let p = instance.point(corner);
+            let error = instance.error(corner, corner.abs() * gamma(6), p);
+            Aabb {
+                min: p - error,
+                max: p + error,
+            }
+        });
+        instance.bounds = corners.fold(Aabb::EMPTY, Aabb::union);
         (well && instance.bounds.is_finite()).then_some(instance)
     }
 
-    /// The mesh's triangles in world coordinates, each corner rounded once. Where the transformation
+    /// A triangle of the shape's own space in the world, each corner rounded once. Where the transformation
     /// mirrors, second and third corner change places, so that fronts stay fronts.
-    pub fn triangles(&self) -> impl ExactSizeIterator<Item = Triangle> {
-        let mirrors = self.mirrors();
-        self.mesh.triangles.iter().map(move |t| {
-            let (b, c) = if mirrors { (t.c, t.b) } else { (t.b, t.c) };
-            Triangle {
-                a: self.point(t.a),
-                b: self.point(b),
-                c: self.point(c),
-            }
-        })
+    pub fn placed(&self, t: &Triangle) -> Triangle {
+        let (b, c) = if self.mirrors() {
+            (t.c, t.b)
+        } else {
+            (t.b, t.c)
+        };
+        Triangle {
+            a: self.point(t.a),
+            b: self.point(b),
+            c: self.point(c),
+        }
     }
 
     /// True where the transformation turns right hands into left ones.
@@ -100,15 +146,24 @@ impl Instance {
 
     /// The surface at an intersection with this ray.
     pub fn surface(&self, ray: &Ray, crossing: Crossing) -> Surface {
-        let there = self.mesh.triangles[crossing.part as usize].surface(crossing);
+        let there = self.shape.surface(&self.brought(ray), crossing);
         let p = self.point(there.p);
         // Normals go by the inverse transposed, so that their side stays.
-        let n = self.to_mesh.transpose() * there.n.as_dvec3();
+        let n = self.to_shape.transpose() * there.n.as_dvec3();
         Surface {
             p,
             error: self.error(there.p, there.error, p),
             n: n.normalize().as_vec3(),
             time: ray.time,
+        }
+    }
+
+    /// The ray in the shape's own space.
+    fn brought(&self, ray: &Ray) -> Ray {
+        Ray {
+            origin: (self.to_shape * (ray.origin.as_dvec3() - self.shift)).as_vec3(),
+            direction: (self.to_shape * ray.direction.as_dvec3()).as_vec3(),
+            ..*ray
         }
     }
 
@@ -131,17 +186,16 @@ impl Primitive for Instance {
 
     fn cross(&self, ray: &PreparedRay, t_max: f32) -> Option<Crossing> {
         let entry = self.bounds.entry(ray, t_max)?;
-        let there = Ray {
-            origin: (self.to_mesh * (ray.origin.as_dvec3() - self.shift)).as_vec3(),
-            direction: (self.to_mesh * ray.direction.as_dvec3()).as_vec3(),
+        let ray = Ray {
+            origin: ray.origin,
+            direction: ray.direction,
             t_max,
             time: ray.time,
         };
-        let found = self.mesh.bvh.first(&there)?;
-        Some(Crossing {
-            t: found.crossing.t.max(entry),
-            part: found.id,
-            ..found.crossing
+        let met = self.shape.intersect(&self.brought(&ray))?;
+        (met.t > 0.0 && met.t <= t_max).then(|| Crossing {
+            t: met.t.max(entry),
+            ..met
         })
     }
 }

@@ -19,7 +19,7 @@ mod triangle;
 
 pub use aabb::Aabb;
 pub use bvh::{Bvh, Found, brute_force};
-pub use instance::{Instance, SharedMesh};
+pub use instance::{Instance, InstancedShape, SharedMesh};
 pub use mesh::{DEFAULT_UVS, Mesh};
 pub use moving::Moving;
 pub use polygon::{Polygons, Triangulation};

@@ -7,7 +7,7 @@ use super::{Aabb, Crossing, Instance, Moving, PreparedRay, Primitive, Ray, Surfa
 pub enum Transformed {
     /// That changes with time.
     Moving(Moving),
-    /// That puts a mesh in one of its places.
+    /// That puts a mesh, or a shape of one's own, in its place.
     Instance(Instance),
 }
 
@@ -16,7 +16,7 @@ impl Transformed {
     pub fn surface(&self, ray: &Ray, crossing: Crossing) -> Surface {
         match self {
             Transformed::Moving(shape) => shape.surface(ray, crossing),
-            Transformed::Instance(mesh) => mesh.surface(ray, crossing),
+            Transformed::Instance(shape) => shape.surface(ray, crossing),
         }
     }
 }
@@ -25,14 +25,14 @@ impl Primitive for Transformed {
     fn bounds(&self) -> Aabb {
         match self {
             Transformed::Moving(shape) => shape.bounds(),
-            Transformed::Instance(mesh) => mesh.bounds(),
+            Transformed::Instance(shape) => shape.bounds(),
         }
     }
 
     fn cross(&self, ray: &PreparedRay, t_max: f32) -> Option<Crossing> {
         match self {
             Transformed::Moving(shape) => shape.cross(ray, t_max),
-            Transformed::Instance(mesh) => mesh.cross(ray, t_max),
+            Transformed::Instance(shape) => shape.cross(ray, t_max),
         }
     }
 }

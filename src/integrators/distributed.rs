@@ -85,7 +85,7 @@ impl Integral {
     /// The integral over the directions of a surface of this material.
     fn at(bsdf: &Bsdf) -> Integral {
         match bsdf {
-            Bsdf::Glossy(_) | Bsdf::RoughGlass(_) => Integral::Gloss,
+            Bsdf::Glossy(_) | Bsdf::RoughGlass(_) | Bsdf::Custom(_) => Integral::Gloss,
             Bsdf::Lambert(_) | Bsdf::Mixture(_) | Bsdf::Mirror(_) | Bsdf::Glass(_) => {
                 Integral::Hemisphere
             }

@@ -107,8 +107,7 @@ impl Watch for TreeRecord {
             _ if h.object.light.is_some() => Met::Lamp,
             Some(Bsdf::Mirror(_)) => Met::Mirror,
             Some(Bsdf::Glass(_)) => Met::Glass,
-            Some(Bsdf::Lambert(_) | Bsdf::Glossy(_) | Bsdf::RoughGlass(_) | Bsdf::Mixture(_))
-            | None => Met::Diffuse,
+            _ => Met::Diffuse,
         });
         self.rays.push(RecordedRay {
             node: *here,

@@ -130,7 +130,9 @@ impl LightBounds {
                     l.area() * mean(l.radiance()),
                 )
             }
-            Light::Directional(_) | Light::Environment(_) | Light::Sky(_) => return None,
+            Light::Directional(_) | Light::Environment(_) | Light::Sky(_) | Light::Custom(_) => {
+                return None;
+            }
         };
         Some(LightBounds {
             aabb,

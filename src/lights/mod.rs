@@ -2,6 +2,7 @@
 
 mod bounds;
 mod choice;
+mod custom;
 mod delta;
 mod environment;
 mod mesh;
@@ -14,6 +15,7 @@ mod triangle;
 
 pub use bounds::LightBounds;
 pub use choice::{ChosenLight, LightChoice};
+pub use custom::{Arrival, CustomLight, PlacedLight};
 pub use delta::{DirectionalLight, PointLight};
 pub use environment::EnvironmentLight;
 pub use mesh::MeshLight;
@@ -47,6 +49,8 @@ pub enum Light {
     Environment(EnvironmentLight),
     /// The same radiance from everywhere around the scene.
     Sky(SkyLight),
+    /// One's own.
+    Custom(PlacedLight),
 }
 
 /// Light that would arrive if nothing were in its way.
@@ -127,6 +131,7 @@ impl Light {
             Light::Mesh(l) => l.sample(from, pick, u),
             Light::Environment(l) => l.sample(from, pick, u),
             Light::Sky(l) => l.sample(from, u),
+            Light::Custom(l) => l.sample(from, u),
         }
     }
 
@@ -150,7 +155,10 @@ impl Light {
 
     /// True for a light without extent, which no ray meets.
     pub fn is_delta(&self) -> bool {
-        matches!(self, Light::Point(_) | Light::Directional(_))
+        matches!(
+            self,
+            Light::Point(_) | Light::Directional(_) | Light::Custom(_)
+        )
     }
 
     /// True where there is any light, however faint.
@@ -164,6 +172,7 @@ impl Light {
             Light::Mesh(l) => !l.radiance().is_black(),
             Light::Environment(_) => true,
             Light::Sky(l) => !l.radiance.is_black(),
+            Light::Custom(l) => l.fluence() > 0.0,
         }
     }
 
@@ -174,6 +183,7 @@ impl Light {
             Light::Directional(l) => mean(l.irradiance),
             Light::Environment(l) => l.fluence(),
             Light::Sky(l) => 4.0 * PI * mean(l.radiance),
+            Light::Custom(l) => l.fluence(),
             _ => 0.0,
         }
     }

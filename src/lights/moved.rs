@@ -21,9 +21,11 @@ impl Light {
             Light::Sphere(l) => l.moved(by).sample(from, u),
             Light::Triangle(l) => l.moved(by).sample(from, u),
             Light::Mesh(l) => l.sample_moved(by, from, pick, u),
-            Light::Point(_) | Light::Directional(_) | Light::Environment(_) | Light::Sky(_) => {
-                self.sample(from, pick, u)
-            }
+            Light::Point(_)
+            | Light::Directional(_)
+            | Light::Environment(_)
+            | Light::Sky(_)
+            | Light::Custom(_) => self.sample(from, pick, u),
         }
     }
 

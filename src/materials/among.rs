@@ -1,6 +1,6 @@
 //! A BSDF known to be one of a few kinds.
 
-use super::{Bsdf, BsdfSample, Event};
+use super::{Bsdf, BsdfSample, CustomBsdf, Event};
 use crate::color::Rgb;
 use glam::Vec3;
 
@@ -13,18 +13,21 @@ pub mod kinds {
     pub const SPECULAR: u8 = 1;
     /// Lobes of some width: `Glossy`, `RoughGlass`.
     pub const GLOSS: u8 = 2;
+    /// One's own: `Custom`.
+    pub const CUSTOM: u8 = 4;
     /// Every BSDF.
-    pub const ALL: u8 = SPECULAR | GLOSS;
+    pub const ALL: u8 = SPECULAR | GLOSS | CUSTOM;
 }
 
 /// A BSDF among those of the set `KINDS`, a constant of [`kinds`]: code for the others is not there. A
 /// BSDF outside the set is black.
 #[derive(Clone, Copy, Debug)]
-pub struct Among<'a, const KINDS: u8>(pub &'a Bsdf);
+pub struct Among<'a, const KINDS: u8>(pub &'a Bsdf<'a>);
 
 impl<const KINDS: u8> Among<'_, KINDS> {
     const SPECULAR: bool = KINDS & kinds::SPECULAR != 0;
     const GLOSS: bool = KINDS & kinds::GLOSS != 0;
+    const CUSTOM: bool = KINDS & kinds::CUSTOM != 0;
 
     /// See [`Bsdf::f`].
     #[inline]
@@ -34,6 +37,7 @@ impl<const KINDS: u8> Among<'_, KINDS> {
             Bsdf::Glossy(m) if Self::GLOSS => m.f(wo, wi),
             Bsdf::RoughGlass(m) if Self::GLOSS => m.f(wo, wi),
             Bsdf::Mixture(m) if Self::SPECULAR => m.f(wo, wi),
+            Bsdf::Custom(m) if Self::CUSTOM => m.f(wo, wi),
             _ => Rgb::BLACK,
         }
     }
@@ -48,6 +52,7 @@ impl<const KINDS: u8> Among<'_, KINDS> {
             Bsdf::Glossy(m) if Self::GLOSS => m.scatter(wo, u),
             Bsdf::RoughGlass(m) if Self::GLOSS => m.scatter(wo, choice, u),
             Bsdf::Mixture(m) if Self::SPECULAR => m.scatter(wo, choice, u),
+            Bsdf::Custom(m) if Self::CUSTOM => custom(*m, wo, choice, u),
             _ => None,
         }
     }
@@ -60,6 +65,7 @@ impl<const KINDS: u8> Among<'_, KINDS> {
             Bsdf::Glossy(m) if Self::GLOSS => m.pdf(wo, wi),
             Bsdf::RoughGlass(m) if Self::GLOSS => m.pdf(wo, wi),
             Bsdf::Mixture(m) if Self::SPECULAR => m.pdf(wo, wi),
+            Bsdf::Custom(m) if Self::CUSTOM => m.pdf(wo, wi),
             _ => 0.0,
         }
     }
@@ -71,9 +77,24 @@ impl<const KINDS: u8> Among<'_, KINDS> {
             Bsdf::Lambert(_) => Some(Event::Diffuse),
             Bsdf::Glossy(_) | Bsdf::RoughGlass(_) if Self::GLOSS => Some(Event::Gloss),
             Bsdf::Mixture(m) if Self::SPECULAR => (!m.kd.is_black()).then_some(Event::Diffuse),
+            Bsdf::Custom(m) if Self::CUSTOM => Some(m.event()),
             _ => None,
         }
     }
+}
+
+/// How a path goes on by a BSDF of one's own.
+#[inline(never)]
+fn custom(bsdf: &dyn CustomBsdf, wo: Vec3, choice: f32, u: [f32; 2]) -> Option<BsdfSample> {
+    let wi = bsdf.sample(wo, choice, u)?;
+    let pdf = bsdf.pdf(wo, wi);
+    let weight = bsdf.f(wo, wi) * (wi.z.abs() / pdf);
+    (pdf > 0.0 && !weight.is_black()).then(|| BsdfSample {
+        wi,
+        weight,
+        pdf: Some(pdf),
+        event: bsdf.event(),
+    })
 }
 
 #[cfg(test)]
@@ -81,15 +102,15 @@ mod tests {
     use super::*;
     use crate::materials::{Glass, Glossy, Lambert};
 
-    fn diffuse(bsdf: &Bsdf) -> Among<'_, { kinds::DIFFUSE }> {
+    fn diffuse<'a>(bsdf: &'a Bsdf<'a>) -> Among<'a, { kinds::DIFFUSE }> {
         Among(bsdf)
     }
 
-    fn gloss(bsdf: &Bsdf) -> Among<'_, { kinds::GLOSS }> {
+    fn gloss<'a>(bsdf: &'a Bsdf<'a>) -> Among<'a, { kinds::GLOSS }> {
         Among(bsdf)
     }
 
-    fn specular(bsdf: &Bsdf) -> Among<'_, { kinds::SPECULAR }> {
+    fn specular<'a>(bsdf: &'a Bsdf<'a>) -> Among<'a, { kinds::SPECULAR }> {
         Among(bsdf)
     }
 

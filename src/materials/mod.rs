@@ -34,11 +34,12 @@ pub use texture::{Color, Texture};
 use crate::color::Rgb;
 use crate::notation::Letter;
 use glam::Vec3;
+use std::fmt::Debug;
 
 /// The BSDF at a point of a surface, the distribution of the light that it scatters. To add one: a file,
 /// a variant, and follow the compiler.
 #[derive(Clone, Copy, Debug)]
-pub enum Bsdf {
+pub enum Bsdf<'a> {
     /// Ideal diffuse reflection.
     Lambert(Lambert),
     /// Perfect specular reflection.
@@ -51,6 +52,32 @@ pub enum Bsdf {
     RoughGlass(RoughGlass),
     /// Diffuse, specular and transmitted light in constant shares.
     Mixture(Mixture),
+    /// One's own.
+    Custom(&'a dyn CustomBsdf),
+}
+
+/// A BSDF of one's own, in local coordinates. Its directions are unit.
+///
+/// Scenes that use one are rendered by code for every BSDF; scene files cannot name it.
+pub trait CustomBsdf: Debug + Send + Sync {
+    /// The BSDF in 1/sr, without cosine.
+    fn f(&self, wo: Vec3, wi: Vec3) -> Rgb;
+
+    /// Samples a direction; `None` where the path ends.
+    ///
+    /// * `choice`, `u`: in `[0, 1)`, independent of each other.
+    fn sample(&self, wo: Vec3, choice: f32, u: [f32; 2]) -> Option<Vec3>;
+
+    /// Density of [`CustomBsdf::sample`], in 1/sr.
+    fn pdf(&self, wo: Vec3, wi: Vec3) -> f32;
+
+    /// A bound on the share of light that comes back, channel by channel at most 1.
+    fn albedo(&self) -> Rgb;
+
+    /// The letter of its light in a path's word.
+    fn event(&self) -> Event {
+        Event::Gloss
+    }
 }
 
 /// A direction drawn from a BSDF: how a path goes on from a surface.
@@ -92,11 +119,11 @@ impl From<Event> for Letter {
     }
 }
 
-impl Bsdf {
+impl<'a> Bsdf<'a> {
     /// A rough mirror, or below α = [`SMOOTH`] a perfect one.
     ///
     /// * `alpha`: in `(0, 1]`.
-    pub fn glossy(reflectance: Rgb, alpha: f32) -> Bsdf {
+    pub fn glossy(reflectance: Rgb, alpha: f32) -> Self {
         if alpha < SMOOTH {
             Bsdf::Mirror(Mirror { reflectance })
         } else {
@@ -108,7 +135,7 @@ impl Bsdf {
     /// roughness bends light by less than 1e-4 radian.
     ///
     /// * `alpha`: in `(0, 1]`.
-    pub fn rough_glass(ior: f32, alpha: f32) -> Bsdf {
+    pub fn rough_glass(ior: f32, alpha: f32) -> Self {
         if alpha < SMOOTH || alpha * (ior - 1.0).abs() < 1e-4 {
             Bsdf::Glass(Glass { ior })
         } else {
@@ -146,6 +173,7 @@ impl Bsdf {
             Bsdf::Lambert(_) => kinds::DIFFUSE,
             Bsdf::Mirror(_) | Bsdf::Glass(_) | Bsdf::Mixture(_) => kinds::SPECULAR,
             Bsdf::Glossy(_) | Bsdf::RoughGlass(_) => kinds::GLOSS,
+            Bsdf::Custom(_) => kinds::CUSTOM,
         }
     }
 
@@ -156,7 +184,7 @@ impl Bsdf {
             Bsdf::Mirror(m) => [Some(&mut m.reflectance), None, None],
             Bsdf::Glossy(m) => [Some(&mut m.reflectance), None, None],
             Bsdf::Mixture(m) => [Some(&mut m.kd), Some(&mut m.ks), Some(&mut m.kt)],
-            Bsdf::Glass(_) | Bsdf::RoughGlass(_) => [None, None, None],
+            Bsdf::Glass(_) | Bsdf::RoughGlass(_) | Bsdf::Custom(_) => [None, None, None],
         }
     }
 
@@ -176,7 +204,7 @@ impl Bsdf {
             Bsdf::Mirror(m) => m.specular(wo),
             Bsdf::Glass(m) => m.specular(wo),
             Bsdf::Mixture(m) => m.specular(wo),
-            Bsdf::Lambert(_) | Bsdf::Glossy(_) | Bsdf::RoughGlass(_) => Specular::default(),
+            _ => Specular::default(),
         }
     }
 
@@ -189,6 +217,7 @@ impl Bsdf {
             Bsdf::Glossy(m) => m.reflectance,
             Bsdf::Mixture(m) => m.k_tot(),
             Bsdf::Glass(_) | Bsdf::RoughGlass(_) => Rgb::WHITE,
+            Bsdf::Custom(m) => m.albedo(),
         }
     }
 }

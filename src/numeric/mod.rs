@@ -55,6 +55,16 @@ pub fn fixed(x: f64, decimals: usize) -> String {
     }
 }
 
+/// Three digits, and no more than two after the point: `0.12`, `1.23`, `12.3`, `123`.
+pub fn three_digits(x: f64) -> String {
+    let decimals = match x {
+        x if x < 9.995 => 2,
+        x if x < 99.95 => 1,
+        _ => 0,
+    };
+    format!("{x:.decimals$}")
+}
+
 /// A number of things: `1 sample`, `2 samples`.
 pub fn count(n: usize, one: &str, many: &str) -> String {
     format!("{n} {}", if n == 1 { one } else { many })

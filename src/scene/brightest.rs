@@ -13,7 +13,7 @@ impl Scene {
         let mut emission = self.background.max_channel();
         for light in &self.lights {
             match light {
-                Light::Point(_) | Light::Directional(_) => return None,
+                Light::Point(_) | Light::Directional(_) | Light::Custom(_) => return None,
                 Light::Environment(image) => emission = emission.max(image.brightest()),
                 Light::Sphere(_)
                 | Light::Quad(_)

@@ -9,7 +9,7 @@ pub(super) use meshes::Repeated;
 use super::description::{self as said, Description};
 use super::field::{Checked, Problem, Within, check, named};
 use super::made_from::MadeFrom;
-use super::motion::{self, Way};
+use super::motion::{self, PlacedInstance, Way};
 use super::parts::Parts;
 use super::placement::Placement;
 use super::value::{Positive, Whole};
@@ -78,11 +78,7 @@ pub(super) fn assemble(from: &Arc<MadeFrom>) -> Checked<Scene> {
             radiance: background,
         })
     }));
-    let instanced: usize = parts
-        .instances
-        .iter()
-        .map(|(i, _)| i.triangles().len())
-        .sum();
+    let instanced: usize = parts.instances.iter().map(PlacedInstance::shapes).sum();
     let count = parts.all.len() + instanced;
     let coarse = spacing::coarse(parts.all.iter().map(|(shape, _)| shape));
     let (shapes, object_of_shape, transformed) = motion::part(
@@ -98,8 +94,8 @@ pub(super) fn assemble(from: &Arc<MadeFrom>) -> Checked<Scene> {
             .mapping
             .begin_at(number as u32);
     }
-    for (_, object) in &parts.instances {
-        parts.objects[*object as usize]
+    for placed_once in &parts.instances {
+        parts.objects[placed_once.object as usize]
             .mapping
             .begin_at(placed.len() as u32);
     }
@@ -217,7 +213,7 @@ impl Parts<'_> {
         let (shapes, mapping) = self.shapes(&said.shape, &place)?;
         way.check(&shapes).within("motion")?;
         if let Some(material) = &material {
-            self.inventory.count(material.brightest(), &shapes);
+            self.inventory.count(&material.brightest(), &shapes);
         }
         self.note_inside_out(number, material.as_ref(), radiance.is_some(), &shapes);
         let two_sided = said.two_sided.unwrap_or(false);
@@ -227,13 +223,16 @@ impl Parts<'_> {
         });
         self.note_without_coordinates(number, said, &mapping);
         let alone = emission.is_some() || way.span != Vec3::ZERO;
-        let instance = match alone {
-            true => None,
-            false => self.instance(&said.shape, &place),
-        };
-        match instance {
-            Some((instance, mapping)) => self.push_instance(instance, material, mapping),
-            None => self.push(shapes, material, emission, way.span, &mapping),
+        if let said::Shape::Custom(shape) = &said.shape {
+            let what = "may neither shine nor move: it is an object of one's own";
+            check(!alone, what)?;
+            let instance = self.custom(shape, &place)?;
+            self.push_instance((instance, None), material, mapping);
+        } else if !alone && let Some((instance, mesh, mapping)) = self.instance(&said.shape, &place)
+        {
+            self.push_instance((instance, Some(mesh)), material, mapping);
+        } else {
+            self.push(shapes, material, emission, way.span, &mapping);
         }
         self.spans.resize(self.objects.len(), way.span);
         self.numbers.resize(self.objects.len(), number);
@@ -269,6 +268,7 @@ impl Parts<'_> {
                 let sides = self.cuboid(min.get()?, max.get()?, place).within("box")?;
                 (sides, mirrored(Mapping::of(Corners::Each(BOX.into()))))
             }
+            Said::Custom(_) => (Vec::new(), Mapping::default()),
             Said::Mesh { file } => self.mesh_file(file, place).within("file").within("mesh")?,
             Said::BumpySphere {
                 center,

@@ -3,7 +3,8 @@
 use super::Object;
 use super::ball::{Ball, Sight};
 use super::images::{Image, LampInBall, Way};
-use crate::geometry::{Instance, Shape};
+use super::motion::PlacedInstance;
+use crate::geometry::Shape;
 use crate::materials::{Bsdf, Material};
 use crate::sampling::{frame::Frame, warps};
 use arrayvec::ArrayVec;
@@ -66,7 +67,7 @@ impl Casters {
         objects: &[Object],
         shapes: &[Shape],
         owners: &[u32],
-        instances: &[(Instance, u32)],
+        instances: &[PlacedInstance],
     ) -> Self {
         let among = |which: fn(&Object) -> bool| {
             let ids = (0..).zip(objects).filter(move |(_, object)| which(object));
@@ -75,8 +76,8 @@ impl Casters {
         let shapes_of = |id: u32| {
             let all = owners.iter().zip(shapes);
             let its = all.filter(move |(owner, _)| **owner == id);
-            let placed = instances.iter().filter(move |(_, owner)| *owner == id);
-            let triangles = placed.flat_map(|(instance, _)| instance.triangles());
+            let placed = instances.iter().filter(move |placed| placed.object == id);
+            let triangles = placed.flat_map(PlacedInstance::triangles);
             let its = its.map(|(_, shape)| *shape);
             its.chain(triangles.map(Shape::Triangle))
                 .collect::<Vec<_>>()

@@ -9,9 +9,13 @@ use super::value::{
     Albedo, Direction, Emission, Finite, Fov, Ior, NotNegative, Positive, Radiance, Roughness,
     Scale, Shutter, Triple, Whole,
 };
+use crate::geometry::InstancedShape;
+use crate::lights::CustomLight;
+use crate::materials::CustomBsdf;
 use serde::Deserialize;
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
+use std::sync::Arc;
 
 /// A whole file.
 #[derive(Clone, Debug, Default, Deserialize)]
@@ -191,6 +195,9 @@ pub enum Material {
         #[serde(default)]
         ior: Ior,
     },
+    /// One's own, which no file can name.
+    #[serde(skip)]
+    Custom(Arc<dyn CustomBsdf>),
 }
 
 impl Material {
@@ -202,7 +209,7 @@ impl Material {
                 [Some(reflectance), None, None]
             }
             Material::Mixture { kd, ks, kt, .. } => [Some(kd), Some(ks), Some(kt)],
-            Material::Glass { .. } | Material::RoughGlass { .. } => [None; 3],
+            Material::Glass { .. } | Material::RoughGlass { .. } | Material::Custom(_) => [None; 3],
         }
     }
 }
@@ -312,6 +319,9 @@ pub enum Shape {
         /// `.ply` or `.obj`, relative to the scene file.
         file: PathBuf,
     },
+    /// A shape of one's own, which no file can name; its coordinates are those of the scene.
+    #[serde(skip)]
+    Custom(Arc<dyn InstancedShape>),
     /// A sphere with bumps, as triangles.
     BumpySphere {
         /// Centre.
@@ -355,6 +365,9 @@ pub enum Light {
         /// Irradiance of a surface that faces the light, in W/m².
         irradiance: Emission,
     },
+    /// One's own, which no file can name.
+    #[serde(skip)]
+    Custom(Arc<dyn CustomLight>),
 }
 
 /// A point at the origin.

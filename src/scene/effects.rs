@@ -4,7 +4,7 @@ use super::Scene;
 use super::motion::TransformedShapes;
 use crate::camera::Lens;
 use crate::geometry::Shape;
-use crate::materials::{Bsdf, kinds};
+use crate::materials::{Bsdf, Event, kinds};
 
 /// A way of light that a scene may call for, or may not.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash, serde::Serialize)]
@@ -145,6 +145,8 @@ impl Inventory {
             Bsdf::Lambert(_) => self.diffuse += 1,
             Bsdf::Mirror(_) | Bsdf::Glass(_) => self.specular += 1,
             Bsdf::Glossy(_) | Bsdf::RoughGlass(_) => self.glossy += 1,
+            Bsdf::Custom(m) if m.event() == Event::Diffuse => self.diffuse += 1,
+            Bsdf::Custom(_) => self.glossy += 1,
             Bsdf::Mixture(m) => {
                 self.diffuse += usize::from(!m.kd.is_black());
                 self.specular += usize::from(!(m.ks + m.kt).is_black());

@@ -21,7 +21,7 @@ pub struct Interaction<'a> {
     /// The same in world coordinates.
     pub back: Vec3,
     /// The BSDF at the point; `None` where all light is absorbed.
-    pub bsdf: Option<Bsdf>,
+    pub bsdf: Option<Bsdf<'a>>,
     /// Radiance that the point itself emits towards `wo`.
     pub emission: Rgb,
     /// The object it belongs to.

@@ -3,22 +3,29 @@
 use super::description as said;
 use super::field::{Checked, Problem, Within, check};
 use super::image_file;
+use super::motion::PlacedInstance;
 use super::parts::{Parts, alone};
 use super::value::{Finite, Positive, Radiance};
 use super::{Mapping, Object};
 use crate::color::Rgb;
-use crate::geometry::{Instance, Shape};
+use crate::geometry::{Instance, Shape, SharedMesh};
 use crate::lights::{
-    DirectionalLight, EnvironmentLight, Light, MeshLight, PointLight, QuadLight, SphereLight,
-    TriangleLight,
+    DirectionalLight, EnvironmentLight, Light, MeshLight, PlacedLight, PointLight, QuadLight,
+    SphereLight, TriangleLight,
 };
 use crate::materials::{Color, Material};
 use glam::Vec3;
 use std::path::Path;
+use std::sync::Arc;
 
 impl Parts<'_> {
     pub(super) fn light(&self, said: &said::Light) -> Checked<Light> {
         Ok(match *said {
+            said::Light::Custom(ref light) => {
+                let what = "must give some light: its fluence is a positive, finite number";
+                check(light.fluence() > 0.0 && light.fluence().is_finite(), what)?;
+                Light::Custom(PlacedLight::new(Arc::clone(light), self.origin))
+            }
             said::Light::Point {
                 position,
                 intensity,
@@ -85,14 +92,18 @@ impl Parts<'_> {
 }
 
 impl Parts<'_> {
-    /// Adds an object that is an instance of a mesh.
+    /// Adds an object that is an instance of a shape; of a mesh, if that is given.
     pub(super) fn push_instance(
         &mut self,
-        instance: Instance,
+        (instance, mesh): (Instance, Option<Arc<SharedMesh>>),
         material: Option<Material>,
         mapping: Mapping,
     ) {
-        self.instances.push((instance, self.objects.len() as u32));
+        self.instances.push(PlacedInstance {
+            instance,
+            mesh,
+            object: self.objects.len() as u32,
+        });
         self.objects.push(Object {
             material,
             mapping,

@@ -4,8 +4,9 @@ use super::Object;
 use super::contacts::Placed;
 use super::field::{Checked, check};
 use super::value::Triple;
-use crate::geometry::{Bvh, Instance, Moving, Shape, Transformed};
+use crate::geometry::{Bvh, Instance, Moving, Shape, SharedMesh, Transformed, Triangle};
 use glam::{DVec3, Vec3};
+use std::sync::Arc;
 
 /// How an object moves while the shutter is open.
 pub(super) struct Way {
@@ -33,6 +34,27 @@ impl Way {
 }
 
 const TOO_FAR: &str = "must keep the object within 3.4e38 of the camera while the shutter is open";
+
+/// A shape that was put in its place by a transformation.
+pub(super) struct PlacedInstance {
+    pub instance: Instance,
+    /// What it is, if it is a mesh.
+    pub mesh: Option<Arc<SharedMesh>>,
+    pub object: u32,
+}
+
+impl PlacedInstance {
+    /// Its triangles in the world, if it is a mesh.
+    pub(super) fn triangles(&self) -> impl Iterator<Item = Triangle> {
+        let all = self.mesh.iter().flat_map(|mesh| mesh.triangles());
+        all.map(|t| self.instance.placed(t))
+    }
+
+    /// How many shapes it stands for.
+    pub(super) fn shapes(&self) -> usize {
+        self.mesh.as_ref().map_or(1, |mesh| mesh.triangles().len())
+    }
+}
 
 /// Shapes in motion, with the lights that move with them, and instances of meshes. Time runs from 0, where
 /// the shutter opens, to 1, where it closes.
@@ -68,13 +90,13 @@ impl TransformedShapes {
 ///
 /// * `all`: shapes, where they are when the shutter opens, and the objects they belong to.
 /// * `spans`: the way of each object while the shutter is open.
-/// * `instances`: meshes in their places, and the objects that they are.
+/// * `instances`: shapes that a transformation puts in their places.
 pub(super) fn part(
     all: Vec<(Shape, u32)>,
     objects: &[Object],
     spans: &[Vec3],
     lights: usize,
-    instances: &[(Instance, u32)],
+    instances: &[PlacedInstance],
 ) -> (Vec<Shape>, Vec<u32>, Option<TransformedShapes>) {
     let stands = |(_, object): &(Shape, u32)| spans[*object as usize] == Vec3::ZERO;
     let (still, moving): (Vec<_>, Vec<_>) = all.into_iter().partition(stands);
@@ -90,9 +112,9 @@ pub(super) fn part(
     });
     let (mut primitives, moving): (Vec<_>, Vec<Placed>) = moving.unzip();
     let mut owners: Vec<u32> = moving.iter().map(|shape| shape.object).collect();
-    for (instance, object) in instances {
-        primitives.push(Transformed::Instance(instance.clone()));
-        owners.push(*object);
+    for placed in instances {
+        primitives.push(Transformed::Instance(placed.instance.clone()));
+        owners.push(placed.object);
     }
     let mut span_of_light = vec![Vec3::ZERO; lights];
     for (object, span) in objects.iter().zip(spans) {

@@ -2,9 +2,10 @@
 
 use super::build::Repeated;
 use super::field::{Checked, Problem, check};
+use super::motion::PlacedInstance;
 use super::spacing::Misplaced;
 use super::{Inventory, Object};
-use crate::geometry::{Instance, Shape};
+use crate::geometry::Shape;
 use crate::lights::Light;
 use crate::materials::Material;
 use glam::{DVec3, Vec3};
@@ -23,8 +24,8 @@ pub(super) struct Parts<'a> {
     /// All shapes, where they are when the shutter opens, and the objects they belong to.
     pub(super) all: Vec<(Shape, u32)>,
     pub(super) objects: Vec<Object>,
-    /// Meshes that are stored once, in their places, and the objects they are.
-    pub(super) instances: Vec<(Instance, u32)>,
+    /// Shapes that a transformation puts in their places.
+    pub(super) instances: Vec<PlacedInstance>,
     /// Mesh files that several objects name, and what was read of them.
     pub(super) said_often: BTreeSet<PathBuf>,
     pub(super) repeated: BTreeMap<PathBuf, Repeated>,

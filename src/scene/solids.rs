@@ -11,7 +11,7 @@ pub(super) fn refracts(material: &Material) -> bool {
     match material.brightest() {
         Bsdf::Glass(_) | Bsdf::RoughGlass(_) => true,
         Bsdf::Mixture(mixture) => !mixture.kt.is_black(),
-        Bsdf::Lambert(_) | Bsdf::Mirror(_) | Bsdf::Glossy(_) => false,
+        Bsdf::Lambert(_) | Bsdf::Mirror(_) | Bsdf::Glossy(_) | Bsdf::Custom(_) => false,
     }
 }
 

@@ -1,5 +1,7 @@
 //! A mean with its error, gathered one sample at a time.
 
+use serde::Serialize;
+
 /// The running mean and variance of a sequence of numbers.
 ///
 /// Sums are `f64` and follow Welford's recurrence, so a constant sequence has variance exactly
@@ -23,6 +25,35 @@ pub struct Estimate {
     mean: f64,
     /// Sum of squared distances from the mean.
     m2: f64,
+}
+
+/// A number and its standard error.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+pub struct Measurement {
+    /// The number.
+    pub value: f64,
+    /// Its standard error; infinite where it is not known.
+    pub error: f64,
+}
+
+impl From<(f64, f64)> for Measurement {
+    fn from((value, error): (f64, f64)) -> Self {
+        Measurement { value, error }
+    }
+}
+
+impl Measurement {
+    /// The same in other units, or relative to something known.
+    #[must_use]
+    pub fn map(self, scale: impl Fn(f64) -> f64) -> Measurement {
+        (scale(self.value), scale(self.error)).into()
+    }
+
+    /// The same in hundredths.
+    #[must_use]
+    pub fn percent(self) -> Measurement {
+        self.map(|x| 100.0 * x)
+    }
 }
 
 /// A closed interval of real numbers.
@@ -126,6 +157,26 @@ impl Estimate {
         } else {
             (self.variance() / self.count as f64).sqrt()
         }
+    }
+
+    /// The mean and its standard error.
+    pub fn measurement(&self) -> Measurement {
+        (self.mean(), self.std_error()).into()
+    }
+
+    /// The root of the mean of squared errors, and its own standard error to first order: `d√m = dm / 2√m`.
+    /// A mean below zero, which unbiased estimates of a square may have, counts as none.
+    pub fn root(&self) -> Measurement {
+        let value = if self.mean < 0.0 {
+            0.0
+        } else {
+            self.mean.sqrt()
+        };
+        let error = match value {
+            0.0 if self.count > 1 => 0.0,
+            _ => self.std_error() / (2.0 * value),
+        };
+        Measurement { value, error }
     }
 
     /// The mean plus and minus `z` standard errors.

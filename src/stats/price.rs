@@ -3,7 +3,7 @@
 //! The squared error of an unbiased estimate falls as one over what is paid for it, so squared error
 //! times cost is a price that does not depend on how much was paid.
 
-use super::slope::student_95;
+use super::{jackknife, slope::student_95};
 use serde::Serialize;
 
 /// One replicate: its squared error, and what it cost.
@@ -26,8 +26,6 @@ pub struct Ratio {
 /// logarithm, from leaving out one pair of replicates after the other. What slows down both of a pair
 /// cancels. `None` below two pairs, or where a mean is not positive.
 ///
-/// Source: Efron, Stein, The Jackknife Estimate of Variance (Annals of Statistics 9(3), 1981).
-///
 /// ```
 /// use halfdisk::stats::price;
 ///
@@ -45,13 +43,9 @@ pub fn ratio(a: &[Paid], b: &[Paid]) -> Option<Ratio> {
     let (a, b) = (&a[..pairs], &b[..pairs]);
     let log_of = |left_out: Option<usize>| -> Option<f64> {
         let log_price = |runs: &[Paid]| {
-            let kept = || {
-                runs.iter()
-                    .enumerate()
-                    .filter(|(i, _)| Some(*i) != left_out)
-            };
+            let kept = || (0..pairs).filter(|i| Some(*i) != left_out);
             let mean =
-                |part: usize| kept().map(|(_, run)| run[part]).sum::<f64>() / kept().count() as f64;
+                |part: usize| kept().map(|i| runs[i][part]).sum::<f64>() / kept().count() as f64;
             libm::log(mean(0) * mean(1))
         };
         let log = log_price(a) - log_price(b);
@@ -59,10 +53,7 @@ pub fn ratio(a: &[Paid], b: &[Paid]) -> Option<Ratio> {
     };
     let log = log_of(None)?;
     let others: Vec<f64> = (0..pairs).map(|i| log_of(Some(i))).collect::<Option<_>>()?;
-    let n = pairs as f64;
-    let mean = others.iter().sum::<f64>() / n;
-    let squared: f64 = others.iter().map(|l| (l - mean) * (l - mean)).sum();
-    let half = student_95(pairs - 1) * ((n - 1.0) / n * squared).sqrt();
+    let half = student_95(pairs - 1) * jackknife(&others);
     Some(Ratio {
         ratio: libm::exp(log),
         low: libm::exp(log - half),

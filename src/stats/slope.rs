@@ -4,6 +4,7 @@
 //! is too narrow. Here every size is run `R` times with random numbers of its own, and the
 //! interval comes from leaving out one replicate after the other.
 
+use super::jackknife;
 use crate::numeric::fixed;
 use serde::Serialize;
 use statrs::distribution::{ContinuousCDF, StudentsT};
@@ -86,23 +87,14 @@ impl Fit {
     }
 }
 
-/// Fits root mean squared errors against sizes.
+/// Fits root mean squared errors against costs.
 ///
-/// * `sizes`: the samples of each size, positive.
-/// * `squares[r][k]`: squared error of replicate `r` at size `k`, all of them independent.
+/// * `costs[r][k]`: what replicate `r` paid at size `k`, positive: samples, rays or seconds. A point's place
+///   is the mean of its costs, and leaving out a replicate leaves out its cost, too.
+/// * `squares[r][k]`: its squared error, all of them independent.
 /// * `R` replicates of `K` doublings of normal errors give a standard error of
 ///   `1 / √(2R) / √Σ(x - x̄)²`, with `x = ln N`: 0.006 for `R = 256`, `K = 11`.
-///
-/// Source: Efron, Stein, The Jackknife Estimate of Variance (Annals of Statistics 9(3), 1981).
-pub fn fit(sizes: &[f64], squares: &[Vec<f64>]) -> Result<Fit, Insufficient> {
-    let sizes = vec![sizes.to_vec(); squares.len()];
-    fit_measured(&sizes, squares)
-}
-
-/// The same against costs that were measured, such as seconds: `costs[r][k]` is what replicate `r`
-/// paid at size `k`, positive. A point's place is the mean of its costs, and leaving out a replicate
-/// leaves out its cost, too.
-pub fn fit_measured(costs: &[Vec<f64>], squares: &[Vec<f64>]) -> Result<Fit, Insufficient> {
+pub fn fit(costs: &[Vec<f64>], squares: &[Vec<f64>]) -> Result<Fit, Insufficient> {
     let replicates = squares.len();
     if replicates < 2 {
         return Err(Insufficient::Replicates);
@@ -123,10 +115,7 @@ pub fn fit_measured(costs: &[Vec<f64>], squares: &[Vec<f64>]) -> Result<Fit, Ins
         let (paid, sums) = (without(&paid, cost), without(&sums, square));
         slopes.push(line_of(&paid, &sums, (replicates - 1) as f64)?.slope);
     }
-    let r = replicates as f64;
-    let mean = slopes.iter().sum::<f64>() / r;
-    let squared: f64 = slopes.iter().map(|s| (s - mean) * (s - mean)).sum();
-    let std_error = ((r - 1.0) / r * squared).sqrt();
+    let std_error = jackknife(&slopes);
     let fit = Fit {
         line,
         std_error,
@@ -165,6 +154,11 @@ mod tests {
     /// Nearly normal: the sum of twelve uniforms less six.
     fn normal(u: &mut Numbers) -> f64 {
         (0..12).map(|_| f64::from(u.one())).sum::<f64>() - 6.0
+    }
+
+    /// A fit against sizes that every replicate has.
+    fn fit(sizes: &[f64], squares: &[Vec<f64>]) -> Result<Fit, Insufficient> {
+        super::fit(&vec![sizes.to_vec(); squares.len()], squares)
     }
 
     fn runs(seed: u64, replicates: u32, sizes: &[f64]) -> Vec<Vec<f64>> {

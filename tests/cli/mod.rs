@@ -7,6 +7,7 @@ mod converge;
 mod cost;
 mod doctor;
 mod interrupts;
+mod json;
 mod left_out;
 pub mod meshes;
 mod odd_scenes;

@@ -159,12 +159,15 @@ fn what_an_effect_changes_is_measured_without_the_noise() {
     };
     let direct = difference(&setup(None), &setup(Some("LD?E")), 8, 12);
     // Bleeding is a fifth of all light of the box.
-    assert!((direct.share - 0.21).abs() < 0.02, "{direct:?}");
-    assert!(direct.rel_mse > 20.0 * direct.rel_mse_error, "{direct:?}");
+    assert!((direct.share.value - 0.21).abs() < 0.02, "{direct:?}");
+    assert!(
+        direct.rel_mse.value > 20.0 * direct.rel_mse.error,
+        "{direct:?}"
+    );
     assert!(direct.rays > 1.5, "{direct:?}");
     let nothing = difference(&setup(None), &setup(Some("LD*E")), 8, 4);
     assert_eq!(
-        (nothing.share, nothing.rel_mse, nothing.rays),
+        (nothing.share.value, nothing.rel_mse.value, nothing.rays),
         (0.0, 0.0, 1.0)
     );
 }

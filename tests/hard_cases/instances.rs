@@ -38,8 +38,12 @@ fn an_instance_is_met_where_copies_of_its_triangles_are() {
         let mut draw = Draw::new(201, i);
         let mesh = mesh(&mut draw);
         let (linear, shift) = place(&mut draw, 10.0);
-        let instance = Instance::new(mesh, linear, shift).expect("well-conditioned");
-        let copies: Vec<Shape> = instance.triangles().map(Shape::Triangle).collect();
+        let instance = Instance::new(mesh.clone(), linear, shift).expect("well-conditioned");
+        let copies = mesh
+            .triangles()
+            .iter()
+            .map(|t| Shape::Triangle(instance.placed(t)));
+        let copies: Vec<Shape> = copies.collect();
         let copies = Bvh::new(&copies);
         let instances = Bvh::new(&[Transformed::Instance(instance.clone())]);
         let middle = instance.bounds().center();
@@ -125,7 +129,7 @@ fn a_place_whose_roundings_would_be_too_large_is_none() {
     let mesh = mesh(&mut draw);
     let place = |scale: [f64; 3], shift: f64| {
         let linear = DMat3::from_diagonal(scale.into());
-        Instance::new(Arc::clone(&mesh), linear, DVec3::splat(shift)).is_some()
+        Instance::new(mesh.clone(), linear, DVec3::splat(shift)).is_some()
     };
     assert!(place([1.0, 1.0, 1.0], 0.0) && place([100.0, 1.0, -1.0], 1e6));
     assert!(

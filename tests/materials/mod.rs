@@ -133,12 +133,12 @@ fn fault(sample: impl Fn(u32) -> Option<Vec3>, pdf: impl Fn(Vec3) -> f64 + Sync)
     None
 }
 
-fn glossy(alpha: f32) -> Bsdf {
+fn glossy(alpha: f32) -> Bsdf<'static> {
     let reflectance = Rgb::WHITE;
     Bsdf::Glossy(Glossy { reflectance, alpha })
 }
 
-fn rough_glass(ior: f32, alpha: f32) -> Bsdf {
+fn rough_glass(ior: f32, alpha: f32) -> Bsdf<'static> {
     Bsdf::RoughGlass(RoughGlass { ior, alpha })
 }
 

@@ -3,19 +3,22 @@
 mod page;
 mod text;
 
+use super::answer::{answer, to_json};
 use super::render::size;
-use super::{Stop, answer, check_folder, save, stem, use_threads};
-use crate::chart::ChartError;
+use super::{
+    Bytes, Stop, check_folder, drawn, folder, note_slow_build, reduced, save, use_threads,
+};
 use crate::desk::{Bar, on_ctrl_c, tell, whole};
 use crate::experiment::cost::strip::{Shown, affordable, needed, show};
 use crate::experiment::cost::{
     ALL, BASE, Budget, Design, Measured, Method, Nothing, PriceList, Priced, Verdict, measure,
 };
 use crate::figures::{Against, cost_chart};
-use crate::output::{self, Display, Provenance, png_bytes};
-use crate::render::{Film, Progress};
+use crate::output::{self, Display as Shades, Provenance, png_bytes};
+use crate::render::Progress;
 use crate::scene::{Scene, gallery};
 use clap::Args;
+use serde::Serialize;
 use std::path::{Path, PathBuf};
 use std::sync::atomic::Ordering;
 
@@ -85,26 +88,46 @@ fn budget(text: &str) -> Result<f64, String> {
     }
 }
 
+/// A size for the measurement, where nobody says otherwise.
+fn small(full: [u32; 2]) -> [u32; 2] {
+    reduced(full, full[0].max(full[1]), SIDE)
+}
+
 /// Names of methods that cannot render a scene, and why.
 type LeftOut = Vec<(&'static str, &'static str)>;
 
 /// What a run leaves behind.
+#[derive(Serialize)]
 struct Report {
+    #[serde(flatten)]
     list: PriceList,
     /// Size that a picture of the scene has.
+    #[serde(skip)]
     full: [u32; 2],
+    #[serde(skip)]
     left_out: LeftOut,
-    equal_time: Vec<Shown>,
-    equal_error: Vec<Shown>,
+    /// Pictures of equal time and of equal error.
+    #[serde(skip)]
+    strips: [Vec<Shown>; 2],
     /// The error that the pictures of equal error should have.
+    #[serde(skip)]
     error: f64,
+}
+
+/// What the files of the strips begin with.
+const STRIPS: [&str; 2] = ["time", "error"];
+
+/// The files of a picture in a strip, and of its signed error.
+fn files_of(kind: &str, method: &str) -> [String; 2] {
+    [
+        format!("{kind}_{method}.png"),
+        format!("{kind}_off_{method}.png"),
+    ]
 }
 
 impl Cost {
     pub(super) fn run(self) -> Result<(), Stop> {
-        if cfg!(debug_assertions) {
-            tell("note: built for development; `cargo run --release` is several times faster");
-        }
+        note_slow_build();
         let scene = gallery::load(&self.scene)?;
         let full = scene.size;
         let scene = scene.sized(self.size.unwrap_or_else(|| small(full)));
@@ -131,8 +154,7 @@ impl Cost {
             list: PriceList::new(&scene, &measured),
             full,
             left_out,
-            equal_time: Vec::new(),
-            equal_error: Vec::new(),
+            strips: Default::default(),
             error: 0.0,
         };
         if !measured.interrupted {
@@ -141,12 +163,7 @@ impl Cost {
         }
         // The table is worth having where the files cannot be written.
         let written = self.write(&scene, &report, &folder);
-        let json = || serde_json::to_string_pretty(&report.list).map(|text| text + "\n");
-        answer(&if self.json {
-            json()?
-        } else {
-            text::table(&report)
-        })?;
+        answer(&report, self.json)?;
         written?;
         tell(format_args!(
             "open {} to see charts and pictures",
@@ -158,25 +175,22 @@ impl Cost {
         let (done, all) = (measured.replicates, self.replicates);
         tell(format_args!(
             "interrupted: {done} of {all} replicates were finished; {} pictures to look at are kept",
-            report.equal_time.len() + report.equal_error.len()
+            report.strips.iter().flatten().count()
         ));
         Err(Stop::Interrupted)
     }
 
     /// The folder of the results, if nothing there that the scene needs would be replaced.
     fn folder(&self, scene: &Scene, methods: &[Method]) -> Result<PathBuf, Stop> {
-        let folder = self.out.clone();
-        let folder = folder.unwrap_or_else(|| PathBuf::from("out/cost").join(stem(&self.scene)));
+        let folder = folder(&self.out, "cost", &self.scene);
         check_folder(&folder)?;
-        for chart in ["seconds.png", "rays.png"] {
-            output::prepare(&folder.join(chart), scene)?;
-        }
-        let kinds = ["time", "time_off", "error", "error_off"];
-        for kind in kinds {
-            for method in methods {
-                let picture = folder.join(format!("{kind}_{}.png", method.name));
-                output::prepare(&picture, scene)?;
-            }
+        let charts = ["seconds.png", "rays.png"].map(str::to_owned);
+        let names = || methods.iter().map(|method| method.name);
+        let pictures = STRIPS
+            .iter()
+            .flat_map(|kind| names().flat_map(move |name| files_of(kind, name)));
+        for file in charts.into_iter().chain(pictures) {
+            output::prepare(&folder.join(file), scene)?;
         }
         Ok(folder)
     }
@@ -226,81 +240,57 @@ impl Cost {
             pool.map_err(|e| Stop::Failure(format!("the threads cannot be started: {e}")))?;
         report.error = common_error(&report.list);
         let count = 2 * measured.methods.len() as u64;
-        for (i, (priced, runs)) in report
-            .list
-            .methods
-            .iter()
-            .zip(&measured.methods)
-            .enumerate()
-        {
-            let seed = !design.seed - 1 - i as u64;
+        for (i, runs) in measured.methods.iter().enumerate() {
+            let (priced, i) = (&report.list.methods[i], i as u64);
+            let seed = !design.seed - 1 - i;
             let picture =
                 |spp| pool.install(|| show(scene, measured, &runs.method, spp, seed, bar));
             // A quarter of the time: at more the eye sees no difference.
-            report
-                .equal_time
-                .extend(picture(affordable(priced, 0.25 * seconds)));
-            bar.tell(2 * i as u64 + 1, count);
-            report
-                .equal_error
-                .extend(needed(priced, runs, report.error).and_then(picture));
-            bar.tell(2 * i as u64 + 2, count);
+            report.strips[0].extend(picture(affordable(priced, 0.25 * seconds)));
+            bar.tell(2 * i + 1, count);
+            report.strips[1].extend(needed(priced, runs, report.error).and_then(picture));
+            bar.tell(2 * i + 2, count);
         }
         Ok(())
     }
 
     /// Writes page, charts, pictures and numbers.
     fn write(&self, scene: &Scene, report: &Report, folder: &Path) -> Result<(), Stop> {
-        let mut files: Vec<(String, Vec<u8>)> = vec![
-            ("cost.csv".to_owned(), text::csv(&report.list).into_bytes()),
+        let mut files: Vec<Bytes> = vec![
             (
-                "cost.json".to_owned(),
-                serde_json::to_vec_pretty(&report.list)?,
+                folder.join("cost.csv"),
+                text::csv(&report.list).into_bytes(),
             ),
+            (folder.join("cost.json"), to_json(report)?.into_bytes()),
         ];
         let mut charts = Vec::new();
         for (name, against) in [("seconds", Against::Seconds), ("rays", Against::Rays)] {
             let title = format!("What accuracy costs: {}, against {name}", scene.name);
             let chart = cost_chart(title, &report.list, against);
-            match chart.to_svg().and_then(|svg| Ok((svg, chart.to_png()?))) {
-                Ok((svg, png)) => {
+            match drawn(&folder.join(name), chart.to_svg(), chart.to_png())? {
+                Some(both) => {
                     charts.push(format!("{name}.svg"));
-                    files.push((format!("{name}.svg"), svg.into_bytes()));
-                    files.push((format!("{name}.png"), png));
+                    files.extend(both);
                 }
                 // Without any error there is no place on logarithmic axes.
-                Err(ChartError::Empty(_)) => tell("note: no error anywhere, so no chart"),
-                Err(error) => return Err(Stop::Failure(error.to_string())),
+                None => tell("note: no error anywhere, so no chart"),
             }
         }
-        for (kind, strip) in [("time", &report.equal_time), ("error", &report.equal_error)] {
+        let depth = scene.suggested.max_depth;
+        for (kind, strip) in STRIPS.into_iter().zip(&report.strips) {
             for shown in strip {
-                let png = |film: &Film, display| {
-                    let facts = Provenance::new(
-                        scene,
-                        shown.name,
-                        scene.suggested.max_depth,
-                        u64::from(shown.spp),
-                        self.seed,
-                    );
-                    png_bytes(film, display, &facts)
-                };
-                files.push((
-                    format!("{kind}_{}.png", shown.name),
-                    png(&shown.film, Display::Radiance)?,
-                ));
-                let off = png(&shown.off, Display::Data { white: 1.0 })?;
-                files.push((format!("{kind}_off_{}.png", shown.name), off));
+                let facts = Provenance::new(scene, shown.name, depth, shown.spp.into(), self.seed);
+                let [picture, off] = files_of(kind, shown.name).map(|file| folder.join(file));
+                files.push((picture, png_bytes(&shown.film, Shades::Radiance, &facts)?));
+                let white = Shades::Data { white: 1.0 };
+                files.push((off, png_bytes(&shown.off, white, &facts)?));
             }
         }
-        files.push((
-            "index.html".to_owned(),
-            page::html(report, &charts)?.into_bytes(),
-        ));
-        for (name, bytes) in files {
-            save(&folder.join(name), bytes)?;
-        }
-        Ok(())
+        let page = page::html(report, &charts)?;
+        files.push((folder.join("index.html"), page.into_bytes()));
+        files
+            .into_iter()
+            .try_for_each(|(file, bytes)| save(&file, bytes))
     }
 }
 
@@ -313,15 +303,6 @@ fn common_error(list: &PriceList) -> f64 {
     let base = list.find(BASE).or(unbiased().next());
     let second = base.and_then(|m| m.sizes.iter().rev().nth(1));
     second.map_or(worst, |size| size.error.max(0.25 * worst))
-}
-
-/// The same shape with at most [`SIDE`] pixels to a side.
-fn small(full: [u32; 2]) -> [u32; 2] {
-    let longest = full[0].max(full[1]);
-    match longest > SIDE {
-        true => full.map(|n| (u64::from(n) * u64::from(SIDE) / u64::from(longest)).max(1) as u32),
-        false => full,
-    }
 }
 
 #[cfg(test)]

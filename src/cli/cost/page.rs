@@ -1,18 +1,13 @@
 //! The page of a price list: charts, tables, pictures side by side.
 
 use super::text::{sentence, time, times};
-use super::{Report, Shown, Stop};
+use super::{Report, STRIPS, Shown, Stop, files_of};
+use crate::cli::page::filled;
 use crate::experiment::cost::{Priced, TARGETS};
-use minijinja::{AutoEscape, Environment, Value, context};
+use minijinja::{Value, context};
 
 /// The page as HTML; charts and pictures lie beside it.
 pub(super) fn html(report: &Report, charts: &[String]) -> Result<String, Stop> {
-    let mut environment = Environment::new();
-    environment.set_auto_escape_callback(|_| AutoEscape::Html);
-    let failure = |e: minijinja::Error| Stop::Failure(format!("the page of prices: {e:#}"));
-    environment
-        .add_template("page", include_str!("page.html"))
-        .map_err(failure)?;
     let list = &report.list;
     let [width, height] = list.size;
     let [full_width, full_height] = report.full;
@@ -23,8 +18,9 @@ pub(super) fn html(report: &Report, charts: &[String]) -> Result<String, Stop> {
         .iter()
         .filter_map(|m| list.against_base(m).map(|[s, r]| sentence(m.name, &s, &r)))
         .collect();
-    let strip = |kind: &str, strip: &[Shown]| -> Vec<Value> {
-        strip.iter().map(|shown| picture(kind, shown)).collect()
+    let strip = |k: usize| -> Vec<Value> {
+        let pictures = report.strips[k].iter();
+        pictures.map(|shown| picture(STRIPS[k], shown)).collect()
     };
     let page = context! {
         scene => list.scene.clone(),
@@ -36,15 +32,12 @@ pub(super) fn html(report: &Report, charts: &[String]) -> Result<String, Stop> {
         targets => TARGETS.map(|t| format!("{} %", 100.0 * t)),
         charts => charts.to_vec(),
         methods, names, sentences,
-        equal_time => strip("time", &report.equal_time),
-        equal_error => strip("error", &report.equal_error),
+        equal_time => strip(0),
+        equal_error => strip(1),
         error => format!("{:.1}", 100.0 * report.error),
         left_out => report.left_out.iter().map(|(name, why)| format!("{name}: {why}")).collect::<Vec<_>>(),
     };
-    environment
-        .get_template("page")
-        .and_then(|template| template.render(page))
-        .map_err(failure)
+    filled("the page of prices", include_str!("page.html"), page)
 }
 
 fn method(report: &Report, m: &Priced) -> Value {
@@ -78,9 +71,9 @@ fn method(report: &Report, m: &Priced) -> Value {
 }
 
 fn picture(kind: &str, shown: &Shown) -> Value {
+    let [file, off] = files_of(kind, shown.name);
     context! {
-        file => format!("{kind}_{}.png", shown.name),
-        off => format!("{kind}_off_{}.png", shown.name),
+        file, off,
         name => shown.name,
         spp => shown.spp,
         seconds => format!("{:.2}", shown.seconds),

@@ -1,13 +1,13 @@
 //! All mistakes and their readings.
 
-use super::exam_json;
-use crate::cli::{Stop, answer};
+use crate::cli::Stop;
+use crate::cli::answer::answer;
 use crate::estimators::doctor::{Reading, diagnose, question};
 use crate::estimators::mistakes::{Exam, Variant, all, right};
 use crate::numeric::fixed;
 use crate::space::Dimension;
-use serde_json::{Value, json};
-use std::fmt::Write as _;
+use serde::Serialize;
+use std::fmt::{self, Display, Formatter, Write as _};
 
 /// Gathers behind each measured reading.
 const GATHERS: u32 = 20_000;
@@ -15,23 +15,33 @@ const GATHERS: u32 = 20_000;
 const SEED: u64 = 1;
 
 /// A variant at an exam that tells it from the right one.
+#[derive(Serialize)]
 struct Row {
-    variant: Variant,
+    space: Dimension,
+    variant: &'static str,
+    forgot: &'static str,
+    exam: Exam,
     exact: f64,
-    reading: Reading,
+    measured: f64,
+    error: f64,
     z: f64,
 }
 
+/// The variants of one world after those of another.
+#[derive(Serialize)]
+struct Rows(Vec<Row>);
+
 pub(super) fn list(worlds: &[Dimension], json: bool) -> Result<(), Stop> {
-    let worlds = worlds.iter().map(|&world| (world, rows(world)));
-    if json {
-        let entries: Vec<Value> = worlds
-            .flat_map(|(world, rows)| rows.into_iter().map(move |row| row.json(world)))
-            .collect();
-        return answer(&(serde_json::to_string_pretty(&entries)? + "\n"));
+    let rows = worlds.iter().flat_map(|&world| rows(world));
+    answer(&Rows(rows.collect()), json)
+}
+
+impl Display for Rows {
+    fn fmt(&self, f: &mut Formatter) -> fmt::Result {
+        let worlds = self.0.chunk_by(|a, b| a.space == b.space);
+        let tables: Vec<String> = worlds.map(table).collect();
+        f.write_str(&super::for_terminal(&tables.join("\n")))
     }
-    let texts: Vec<String> = worlds.map(|(world, rows)| table(world, &rows)).collect();
-    answer(&super::for_terminal(&texts.join("\n")))
 }
 
 fn rows(world: Dimension) -> Vec<Row> {
@@ -48,9 +58,13 @@ fn rows(world: Dimension) -> Vec<Row> {
         let findings = diagnose(world, &[reading]).findings;
         let own = findings.iter().find(|f| f.variant.name == variant.name);
         Row {
-            variant,
+            space: world,
+            variant: variant.name,
+            forgot: variant.forgot,
             exact: variant.reading(&exam),
-            reading,
+            measured: reading.value,
+            error: reading.error,
+            exam,
             z: own.map_or(f64::INFINITY, |f| f.z),
         }
     };
@@ -61,10 +75,10 @@ fn rows(world: Dimension) -> Vec<Row> {
         .collect()
 }
 
-fn table(world: Dimension, rows: &[Row]) -> String {
-    let name = match world {
-        Dimension::Flat => "The flat world: the half disk",
-        Dimension::Solid => "Space: the hemisphere",
+fn table(rows: &[Row]) -> String {
+    let name = match rows.first().map(|row| row.space) {
+        Some(Dimension::Solid) => "Space: the hemisphere",
+        _ => "The flat world: the half disk",
     };
     let mut text = format!(
         "{name}\nWhite sky, albedo 1, 16 directions, upright, one bounce, shadow rays that see; what a \
@@ -72,25 +86,20 @@ fn table(world: Dimension, rows: &[Row]) -> String {
          from exact, in standard\nerrors.\n\n{:<33} {:>8}   {:<20} {:>5}  asked with\n",
         "variant", "exact", "measured ± error", "z"
     );
-    for Row {
-        variant,
-        exact,
-        reading,
-        z,
-    } in rows
-    {
-        let measured = format!("{} ± {:.5}", fixed(reading.value, 5), reading.error);
+    for row in rows {
+        let measured = format!("{} ± {:.5}", fixed(row.measured, 5), row.error);
         let line = format!(
-            "{:<33} {:>8}   {measured:<20} {z:>5.2}  {}",
-            variant.name,
-            fixed(*exact, 5),
-            asked(&reading.exam)
+            "{:<33} {:>8}   {measured:<20} {:>5.2}  {}",
+            row.variant,
+            fixed(row.exact, 5),
+            row.z,
+            asked(&row.exam)
         );
         let _ = writeln!(text, "{}", line.trim_end());
     }
     text += "\nForgotten, or mixed up:\n";
-    for Row { variant, .. } in rows {
-        let _ = writeln!(text, "  {}: {}", variant.name, variant.forgot);
+    for row in rows {
+        let _ = writeln!(text, "  {}: {}", row.variant, row.forgot);
     }
     text
 }
@@ -115,19 +124,4 @@ fn asked(exam: &Exam) -> String {
         said.push("blind shadow rays".to_owned());
     }
     said.join(", ")
-}
-
-impl Row {
-    fn json(&self, world: Dimension) -> Value {
-        json!({
-            "space": world,
-            "variant": self.variant.name,
-            "forgot": self.variant.forgot,
-            "exam": exam_json(&self.reading.exam),
-            "exact": self.exact,
-            "measured": self.reading.value,
-            "error": self.reading.error,
-            "z": self.z,
-        })
-    }
 }

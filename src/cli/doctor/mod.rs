@@ -3,13 +3,15 @@
 mod list;
 mod typed;
 
-use super::{Stop, answer};
+use super::Stop;
+use super::answer::answer;
 use crate::desk::whole;
 use crate::estimators::doctor::{Diagnosis, Reading, diagnose};
-use crate::estimators::mistakes::Exam;
+use crate::estimators::mistakes::{Exam, Variant};
 use crate::space::Dimension;
 use clap::{Args, ValueEnum};
-use serde_json::{Value, json};
+use serde::Serialize;
+use std::fmt::{self, Display, Formatter};
 use std::io::IsTerminal;
 use typed::{Typed, albedo, error, tilt};
 
@@ -101,11 +103,7 @@ impl Doctor {
         match (self.space, self.reading.is_empty()) {
             (Some(world), false) => {
                 let diagnosis = diagnose(world.into(), &self.readings()?);
-                if self.json {
-                    let object = as_json(&diagnosis);
-                    return answer(&(serde_json::to_string_pretty(&object)? + "\n"));
-                }
-                answer(&for_terminal(&diagnosis.explain()))
+                answer(&Diagnosed::of(diagnosis), self.json)
             }
             (Some(world), true) => list::list(&[world.into()], self.json),
             (None, _) => list::list(&[Dimension::Flat, Dimension::Solid], self.json),
@@ -162,34 +160,49 @@ fn each<T: Copy>(option: &str, given: &[T], i: usize, count: usize) -> Result<Op
     }
 }
 
-fn exam_json(exam: &Exam) -> Value {
-    json!({
-        "albedo": exam.albedo,
-        "samples": exam.samples,
-        "tilt_degrees": exam.tilt.to_degrees(),
-        "bounces": exam.bounces,
-        "shadow_rays": if exam.aimed { "seeing" } else { "blind" },
-    })
+/// What the readings say.
+#[derive(Serialize)]
+struct Diagnosed {
+    space: Dimension,
+    healthy: bool,
+    matches: Vec<Match>,
+    explanation: String,
+    readings: Vec<Reading>,
 }
 
-fn as_json(diagnosis: &Diagnosis) -> Value {
-    let reading =
-        |r: &Reading| json!({ "value": r.value, "error": r.error, "exam": exam_json(&r.exam) });
-    let matches = diagnosis.matches().iter().map(|found| {
-        let variant = &found.variant;
-        let exact = diagnosis.readings.iter().map(|r| variant.reading(&r.exam));
-        json!({
-            "variant": variant.name,
-            "forgot": variant.forgot,
-            "exact": exact.collect::<Vec<_>>(),
-            "z": found.z,
-        })
-    });
-    json!({
-        "space": diagnosis.dimension,
-        "readings": diagnosis.readings.iter().map(reading).collect::<Vec<_>>(),
-        "healthy": diagnosis.healthy(),
-        "matches": matches.collect::<Vec<_>>(),
-        "explanation": diagnosis.explain(),
-    })
+/// A variant that fits, with its exact readings.
+#[derive(Serialize)]
+struct Match {
+    variant: &'static str,
+    forgot: &'static str,
+    exact: Vec<f64>,
+    z: f64,
+}
+
+impl Diagnosed {
+    fn of(diagnosis: Diagnosis) -> Self {
+        let exact = |variant: &Variant| {
+            let readings = diagnosis.readings.iter();
+            readings.map(|r| variant.reading(&r.exam)).collect()
+        };
+        let matches = diagnosis.matches().iter().map(|found| Match {
+            variant: found.variant.name,
+            forgot: found.variant.forgot,
+            exact: exact(&found.variant),
+            z: found.z,
+        });
+        Diagnosed {
+            space: diagnosis.dimension,
+            healthy: diagnosis.healthy(),
+            matches: matches.collect(),
+            explanation: diagnosis.explain(),
+            readings: diagnosis.readings,
+        }
+    }
+}
+
+impl Display for Diagnosed {
+    fn fmt(&self, f: &mut Formatter) -> fmt::Result {
+        f.write_str(&for_terminal(&self.explanation))
+    }
 }

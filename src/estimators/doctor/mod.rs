@@ -11,13 +11,14 @@ pub use examine::{Patient, examine};
 use super::mistakes::{self, Exam, Variant};
 use crate::space::Dimension;
 use crate::stats::z_test::FOUR;
+use serde::Serialize;
 use std::fmt::Write as _;
 
 /// Readings are not told apart below this share of one: sums in `f32` round.
 const RESOLUTION: f64 = 1e-5;
 
 /// A number an estimator gave, with its standard error.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 pub struct Reading {
     /// The number.
     pub value: f64,

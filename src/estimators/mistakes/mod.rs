@@ -19,9 +19,10 @@ pub use clamped::Clamped;
 use crate::sampling::stream::{Numbers, Purpose, Stream};
 use crate::space::{Dimension, Flat, Solid, Space};
 use crate::stats::Estimate;
+use serde::{Serialize, Serializer};
 
 /// The surface that is asked, and how.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 pub struct Exam {
     /// The share of light the surface reflects, in `[0, 1]`.
     pub albedo: f32,
@@ -29,11 +30,22 @@ pub struct Exam {
     pub samples: u32,
     /// Angle between the surface's normal and the axis that needs no turning, in radians, in
     /// `[0, π/2]`.
+    #[serde(rename = "tilt_degrees", serialize_with = "degrees")]
     pub tilt: f32,
     /// How often the light is reflected before it is read: the reading's power.
     pub bounces: u32,
     /// True where shadow rays find the sky. Otherwise only rays that meet it by chance do.
+    #[serde(rename = "shadow_rays", serialize_with = "shadow_rays")]
     pub aimed: bool,
+}
+
+fn degrees<S: Serializer>(radians: &f32, serializer: S) -> Result<S::Ok, S::Error> {
+    radians.to_degrees().serialize(serializer)
+}
+
+fn shadow_rays<S: Serializer>(aimed: &bool, serializer: S) -> Result<S::Ok, S::Error> {
+    let word = if *aimed { "seeing" } else { "blind" };
+    word.serialize(serializer)
 }
 
 impl Default for Exam {

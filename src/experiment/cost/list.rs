@@ -5,10 +5,11 @@ use super::method::BASE;
 use super::runs::{Measured, Run, Runs};
 use super::size::{Size, Verdict};
 use super::target::{Reach, reach};
+use crate::experiment::study::Study;
 use crate::scene::{RayCounts, Scene};
-use crate::stats::Estimate;
-use crate::stats::price::{Paid, Ratio, ratio};
-use crate::stats::slope::{Fit, Insufficient, fit_measured};
+use crate::stats::Measurement;
+use crate::stats::price::{Ratio, ratio};
+use crate::stats::slope::{Fit, Insufficient};
 use serde::Serialize;
 
 /// Relative errors whose price is stated.
@@ -92,10 +93,12 @@ impl PriceList {
             for (j, b) in measured.methods.iter().enumerate() {
                 let biased = |k: usize| methods[k].verdict == Verdict::Biased;
                 let fair = i != j && !biased(i) && !biased(j);
-                let by = |cost| ratio(&largest(a, cost), &largest(b, cost)).filter(|_| fair);
-                let (seconds, rays) = (by(seconds), by(rays));
-                methods[i].ratios.push(seconds);
-                methods[i].ray_ratios.push(rays);
+                let by = |cost: fn(&Run) -> f64| {
+                    let [a, b] = [a, b].map(|runs| runs.study.largest(square, cost));
+                    ratio(&a, &b).filter(|_| fair)
+                };
+                methods[i].ratios.push(by(seconds));
+                methods[i].ray_ratios.push(by(rays));
             }
         }
         PriceList {
@@ -123,6 +126,10 @@ impl PriceList {
     }
 }
 
+fn square(run: &Run) -> f64 {
+    run.square
+}
+
 fn seconds(run: &Run) -> f64 {
     run.seconds
 }
@@ -131,32 +138,21 @@ fn rays(run: &Run) -> f64 {
     run.rays.total() as f64
 }
 
-/// Squared error and cost of the largest pictures.
-fn largest(runs: &Runs, cost: fn(&Run) -> f64) -> Vec<Paid> {
-    let last = runs.runs.iter().filter_map(|row| row.last());
-    last.map(|run| [run.square, cost(run)]).collect()
-}
-
 fn priced(runs: &Runs, measured: &Measured) -> Priced {
-    let rows = |of: fn(&Run) -> f64| -> Vec<Vec<f64>> {
-        let row = |row: &Vec<Run>| row.iter().map(of).collect();
-        runs.runs.iter().map(row).collect()
-    };
-    let squares = rows(|run| run.square);
-    let against_rays = fit_measured(&rows(rays), &squares);
-    let against_seconds = fit_measured(&rows(seconds), &squares);
+    let study = &runs.study;
+    let against_rays = study.fit(|_, run| rays(run), square);
+    let against_seconds = study.fit(|_, run| seconds(run), square);
+    let largest = study.largest(square, seconds);
     let bias = runs.sums.bias(measured.truth(&runs.method));
-    let sizes: Vec<Size> = (0..runs.spp.len()).map(|k| size(runs, k)).collect();
+    let sizes: Vec<Size> = (0..study.sizes.len()).map(|k| size(study, k)).collect();
     let verdict = verdict(&against_rays, bias, runs.method.is_independent());
     // The error of the largest pictures, and two of its own errors more.
     let most_off = sizes
         .last()
         .map_or(f64::INFINITY, |s| s.error + 2.0 * s.error_error);
     let mut counts = RayCounts::default();
-    runs.runs
-        .iter()
-        .flatten()
-        .for_each(|run| counts += run.rays);
+    let all = || study.runs.iter().flatten();
+    all().for_each(|run| counts += run.rays);
     let camera = counts.camera.max(1) as f64;
     Priced {
         name: runs.method.name,
@@ -169,7 +165,7 @@ fn priced(runs: &Runs, measured: &Measured) -> Priced {
         seconds_per_spp: sizes.last().map_or(0.0, |s| s.seconds / f64::from(s.spp)),
         times: TARGETS
             .iter()
-            .map(|&target| reach(target, &sizes, &largest(runs, seconds), verdict, bias))
+            .map(|&target| reach(target, &sizes, &largest, verdict, bias))
             .collect(),
         sizes,
         against_rays,
@@ -182,38 +178,24 @@ fn priced(runs: &Runs, measured: &Measured) -> Priced {
             .map(|bias| bias.levels_out().at_most(most_off)),
         ratios: Vec::new(),
         ray_ratios: Vec::new(),
-        non_finite: runs.runs.iter().flatten().map(|run| run.non_finite).sum(),
+        non_finite: all().map(|run| run.non_finite).sum(),
     }
 }
 
-fn size(runs: &Runs, k: usize) -> Size {
-    let of = |f: fn(&Run) -> f64| runs.runs.iter().map(move |row| f(&row[k]));
-    let square: Estimate = of(|run| run.square).collect();
-    let mut sorted: Vec<f64> = of(seconds).collect();
+fn size(study: &Study<Run>, k: usize) -> Size {
+    let mut sorted: Vec<f64> = study.runs.iter().map(|row| row[k].seconds).collect();
     sorted.sort_by(f64::total_cmp);
+    let Measurement { value, error } = study.at(k, square).root();
     let at = |share: f64| sorted[(share * (sorted.len() - 1) as f64).round() as usize];
     Size {
-        spp: runs.spp[k],
-        rays: of(|run| run.rays.total() as f64)
-            .collect::<Estimate>()
-            .mean(),
+        spp: study.sizes[k],
+        rays: study.at(k, rays).mean(),
         seconds: at(0.5),
-        mean_seconds: of(seconds).collect::<Estimate>().mean(),
+        mean_seconds: study.at(k, seconds).mean(),
         spread: at(0.75) - at(0.25),
-        error: square.mean().max(0.0).sqrt(),
-        // The square root's error to first order.
-        error_error: root_error(&square),
-        top_share: of(|run| run.top_share).collect::<Estimate>().mean(),
-    }
-}
-
-/// The standard error of the root of a mean, to first order; unknown of one value alone.
-fn root_error(square: &Estimate) -> f64 {
-    let root = square.mean().max(0.0).sqrt();
-    if square.count() > 1 && root == 0.0 {
-        0.0
-    } else {
-        square.std_error() / (2.0 * root)
+        error: value,
+        error_error: error,
+        top_share: study.at(k, |run| run.top_share).mean(),
     }
 }
 

@@ -31,7 +31,7 @@ mod target;
 pub use bias::{Bias, Floor};
 pub use list::{PerSample, PriceList, Priced, TARGETS};
 pub use method::{ALL, BASE, CLAMP, Method};
-pub use plan::{Budget, Design, Planned};
+pub use plan::{Budget, Design};
 pub use reference::Reference;
 pub use runs::{Measured, Nothing, Run, Runs, measure};
 pub use size::{Size, Verdict};

@@ -65,27 +65,18 @@ const SIZES: f64 = 2.6;
 /// What a method's pictures in the strips cost, in times of its largest picture.
 const STRIPS: f64 = 4.0;
 
-/// A method, and the samples for each pixel that it is given.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Planned {
-    /// The method.
-    pub method: Method,
-    /// Samples per pixel at each size, the smallest first.
-    pub spp: Vec<u32>,
-}
-
 /// More samples than this are never taken: Sobol' points repeat.
 const MOST: u32 = 1 << 16;
 /// A pilot shorter than this, in seconds, tells nothing about time.
 const SHORTEST: f64 = 0.03;
 
-/// The sizes of one method; `None` where it was asked to stop.
+/// The samples per pixel of a method at each size, the smallest first; `None` where it was asked to stop.
 pub(super) fn plan(
     scene: &Scene,
-    method: Method,
+    method: &Method,
     design: &Design,
     progress: &impl Progress,
-) -> Option<Planned> {
+) -> Option<Vec<u32>> {
     // A first picture warms up what a first picture warms up.
     let mut spp = 1;
     let cost = loop {
@@ -105,10 +96,7 @@ pub(super) fn plan(
             Budget::Seconds(_) => spp *= 2,
         }
     };
-    Some(Planned {
-        method,
-        spp: sizes(cost, design.sizes),
-    })
+    Some(sizes(cost, design.sizes))
 }
 
 /// Powers of two, for which even points lie most evenly: the largest that can be afforded, and

@@ -2,8 +2,9 @@
 
 use super::bias::Sums;
 use super::method::{self, BASE, Method};
-use super::plan::{Design, Planned, plan};
+use super::plan::{Design, plan};
 use super::reference::Reference;
+use crate::experiment::study::{Study, order, seed_of};
 use crate::render::accuracy::top_share;
 use crate::render::{Progress, Rendered};
 use crate::scene::{RayCounts, Scene};
@@ -30,10 +31,8 @@ pub struct Run {
 pub struct Runs {
     /// The method.
     pub method: Method,
-    /// Samples per pixel at each size, the smallest first.
-    pub spp: Vec<u32>,
-    /// `runs[r][k]`: replicate `r` at size `k`.
-    pub runs: Vec<Vec<Run>>,
+    /// Its pictures, by samples per pixel.
+    pub study: Study<Run>,
     /// What the pictures of the largest size add up to.
     pub(super) sums: Sums,
 }
@@ -91,29 +90,27 @@ pub fn measure(
     let timed = rayon::ThreadPoolBuilder::new()
         .num_threads(design.threads.unwrap_or_else(rayon::current_num_threads))
         .build()?;
-    let quiet = Quiet(progress);
-    let planned: Vec<Planned> = timed
-        .install(|| {
-            methods
-                .iter()
-                .map(|m| plan(scene, *m, design, &quiet))
-                .collect::<Option<_>>()
+    let mut watch = Watch::new(progress);
+    let pixels = scene.size[0] as usize * scene.size[1] as usize;
+    let none = |method: &Method| {
+        Some(Runs {
+            method: *method,
+            study: Study {
+                sizes: plan(scene, method, design, &watch)?,
+                runs: Vec::new(),
+            },
+            sums: Sums::none(pixels),
         })
-        .ok_or(Nothing::Stopped)?;
-    let watch = Watch::new(progress, &planned, design, rayon::current_num_threads());
-    let of = |endless| truth(scene, endless, &planned, design, &watch);
-    let reference = of(false)?;
-    let endless = match methods.iter().any(Method::is_endless) {
-        true => Some(of(true)?),
-        false => None,
     };
+    let runs = timed.install(|| methods.iter().map(none).collect::<Option<Vec<Runs>>>());
+    let runs = runs.ok_or(Nothing::Stopped)?;
+    let is_endless = methods.iter().any(Method::is_endless);
+    watch.total = total(&runs, design, is_endless, watch.threads);
+    let of = |endless| truth(scene, endless, &runs, design, &watch);
     let mut measured = Measured {
-        methods: planned
-            .into_iter()
-            .map(|p| Runs::none(p, &reference))
-            .collect(),
-        reference,
-        endless,
+        reference: of(false)?,
+        endless: is_endless.then(|| of(true)).transpose()?,
+        methods: runs,
         replicates: 0,
         interrupted: false,
     };
@@ -148,25 +145,27 @@ fn replicate(
     let mut rows: Vec<Pictures> = vec![Vec::new(); count];
     for k in 0..design.sizes as usize {
         for m in order(r, count) {
-            let Runs { method, spp, .. } = &measured.methods[m];
-            let Some(&samples) = spp.get(k) else { continue };
-            let largest = spp[spp.len() - 1];
+            let runs = &measured.methods[m];
+            let Some(&samples) = runs.study.sizes.get(k) else {
+                continue;
+            };
+            let largest = runs.largest();
             let repeats = repeats(samples, largest);
-            let mut runs = Vec::new();
+            let (method, mut own) = (&runs.method, Vec::new());
             let mut pixels = None;
             for repeat in 0..repeats {
-                let seed = seed_of(design.seed, r, [k, m, repeat as usize]);
+                let seed = seed_of(design.seed, r, place([k, m, repeat as usize]));
                 let rendered = method.render(scene, samples, seed, watch);
                 if rendered.interrupted {
                     return None;
                 }
                 let squares = measured.truth(method).squares(&rendered.film);
-                runs.push(run_of(&rendered, &squares));
+                own.push(run_of(&rendered, &squares));
                 if samples == largest {
                     pixels = Some((rendered.film.picture().values, squares));
                 }
             }
-            rows[m].push((mean_of(&runs), pixels));
+            rows[m].push((mean_of(&own), pixels));
             watch.paid(f64::from(repeats * samples) / f64::from(largest));
         }
     }
@@ -196,16 +195,6 @@ fn mean_of(runs: &[Run]) -> Run {
     }
 }
 
-/// Forwards, backwards, and a place further on every second time.
-fn order(r: u32, count: usize) -> Vec<usize> {
-    let shift = r as usize / 2;
-    let mut order: Vec<usize> = (0..count).map(|i| (i + shift) % count).collect();
-    if r % 2 == 1 {
-        order.reverse();
-    }
-    order
-}
-
 fn run_of(rendered: &Rendered, squares: &[f64]) -> Run {
     Run {
         square: squares.iter().copied().collect::<Estimate>().mean(),
@@ -217,24 +206,17 @@ fn run_of(rendered: &Rendered, squares: &[f64]) -> Run {
 }
 
 impl Runs {
-    fn none(planned: Planned, reference: &Reference) -> Runs {
-        Runs {
-            method: planned.method,
-            spp: planned.spp,
-            runs: Vec::new(),
-            sums: Sums::none(reference.picture.values.len()),
-        }
+    /// Samples per pixel of the largest size.
+    pub fn largest(&self) -> u32 {
+        self.study.sizes.last().copied().unwrap_or(1)
     }
 
     fn add(&mut self, pictures: Pictures) {
-        let mut row = Vec::with_capacity(pictures.len());
-        for (run, pixels) in pictures {
-            row.push(run);
-            if let Some((values, squares)) = pixels {
-                self.sums.add(&values, &squares);
-            }
+        let (row, pixels): (Vec<Run>, Vec<_>) = pictures.into_iter().unzip();
+        self.study.runs.push(row);
+        for (values, squares) in pixels.into_iter().flatten() {
+            self.sums.add(&values, &squares);
         }
-        self.runs.push(row);
     }
 }
 
@@ -242,18 +224,19 @@ impl Runs {
 fn truth(
     scene: &Scene,
     endless: bool,
-    planned: &[Planned],
+    runs: &[Runs],
     design: &Design,
     watch: &Watch<impl Progress>,
 ) -> Result<Reference, Nothing> {
-    let base = planned
-        .iter()
-        .find(|p| p.method.name == BASE)
-        .or(planned.first());
-    let largest = base.and_then(|p| p.spp.last()).copied().unwrap_or(1);
+    let base = runs.iter().find(|r| r.method.name == BASE).or(runs.first());
+    let largest = base.map_or(1, Runs::largest);
     let spp = largest.saturating_mul(design.reference).min(1 << 20);
     let half = |number: usize| {
-        let seed = seed_of(design.seed, u32::MAX, [usize::from(endless), number, 0]);
+        let seed = seed_of(
+            design.seed,
+            u32::MAX,
+            place([usize::from(endless), number, 0]),
+        );
         let rendered = method::reference(scene, endless, spp, seed, watch);
         watch.paid(f64::from(design.reference) / watch.threads);
         (!rendered.interrupted)
@@ -263,12 +246,20 @@ fn truth(
     Ok(Reference::new(&half(0)?, &half(1)?, spp))
 }
 
-/// A seed that no other picture has: at most 256 sizes, methods and repeats.
-fn seed_of(seed: u64, replicate: u32, place: [usize; 3]) -> u64 {
-    let place = place.iter().fold(0, |all, &part| all << 8 | part as u64);
-    // An odd factor is a bijection; neighbouring seeds of a design stay far apart.
-    seed.wrapping_mul(0x9e37_79b9_7f4a_7c15)
-        .wrapping_add(place << 32 | u64::from(replicate))
+/// A picture's size, method and repeat as one number: at most 256 of each.
+fn place(place: [usize; 3]) -> u64 {
+    place.iter().fold(0, |all, &part| all << 8 | part as u64)
+}
+
+/// What everything costs, in times of a method's largest picture.
+fn total(runs: &[Runs], design: &Design, endless: bool, threads: f64) -> f64 {
+    let sum = |runs: &Runs| {
+        let paid = |&n: &u32| f64::from(n * repeats(n, runs.largest())) / f64::from(runs.largest());
+        runs.study.sizes.iter().map(paid).sum::<f64>()
+    };
+    let halves = 2.0 * (1.0 + f64::from(u8::from(endless)));
+    let pictures: f64 = runs.iter().map(sum).sum();
+    halves * f64::from(design.reference) / threads + f64::from(design.replicates) * pictures
 }
 
 /// Tells how much of everything is paid, in thousandths of a method's largest picture.
@@ -280,20 +271,12 @@ struct Watch<'a, P> {
 }
 
 impl<'a, P: Progress> Watch<'a, P> {
-    fn new(progress: &'a P, planned: &[Planned], design: &Design, threads: usize) -> Self {
-        let sum = |p: &Planned| {
-            let largest = p.spp.last().copied().unwrap_or(1);
-            let paid = |&n: &u32| f64::from(n * repeats(n, largest)) / f64::from(largest);
-            p.spp.iter().map(paid).sum::<f64>()
-        };
-        let endless = planned.iter().any(|p| p.method.is_endless());
-        let halves = 2.0 * (1.0 + f64::from(u8::from(endless)));
-        let pictures: f64 = planned.iter().map(sum).sum();
+    /// A watch that does not yet know how much there is to pay.
+    fn new(progress: &'a P) -> Self {
         Watch {
             progress,
-            threads: threads as f64,
-            total: halves * f64::from(design.reference) / threads as f64
-                + f64::from(design.replicates) * pictures,
+            threads: rayon::current_num_threads() as f64,
+            total: 0.0,
             paid: Mutex::new(0.0),
         }
     }
@@ -313,42 +296,5 @@ impl<P: Progress> Progress for Watch<'_, P> {
     fn tell(&self, _: u64, _: u64) {}
     fn stop(&self) -> bool {
         self.progress.stop()
-    }
-}
-
-/// The same before there is a plan.
-struct Quiet<'a, P>(&'a P);
-
-impl<P: Progress> Progress for Quiet<'_, P> {
-    fn tell(&self, _: u64, _: u64) {}
-    fn stop(&self) -> bool {
-        self.0.stop()
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn methods_take_turns() {
-        assert_eq!(order(0, 3), [0, 1, 2]);
-        assert_eq!(order(1, 3), [2, 1, 0]);
-        assert_eq!(order(2, 3), [1, 2, 0]);
-        assert_eq!(order(3, 3), [0, 2, 1]);
-    }
-
-    #[test]
-    fn no_two_pictures_share_a_seed() {
-        let mut seen = std::collections::BTreeSet::new();
-        for r in (0..20).chain([u32::MAX]) {
-            for k in 0..6 {
-                for m in 0..9 {
-                    for repeat in 0..8 {
-                        assert!(seen.insert(seed_of(1, r, [k, m, repeat])));
-                    }
-                }
-            }
-        }
     }
 }

@@ -62,9 +62,9 @@ pub fn affordable(priced: &Priced, seconds: f64) -> u32 {
 /// Samples per pixel that a method needs for an error, by its largest pictures; `None` where it
 /// levels out above it.
 pub fn needed(priced: &Priced, runs: &Runs, error: f64) -> Option<u32> {
-    let last = runs.runs.iter().filter_map(|row| row.last());
-    let square = last.map(|run| run.square).collect::<Estimate>().mean();
-    let spp = f64::from(*runs.spp.last()?);
+    let last = runs.study.sizes.len().checked_sub(1)?;
+    let square = runs.study.at(last, |run| run.square).mean();
+    let spp = f64::from(runs.largest());
     let stays = match priced.verdict {
         Verdict::Biased => priced.bias?.square.max(0.0),
         _ => 0.0,

@@ -1,6 +1,6 @@
 //! What is predicted and reached, in words.
 
-use crate::numeric::count;
+use crate::numeric::{count, three_digits};
 use crate::render::goal::{Pilot, Prediction, Reached, StoppedBy};
 use std::fmt::{Display, Formatter, Result};
 
@@ -65,9 +65,7 @@ pub fn percent(share: f64) -> String {
             let digits = 1 - libm::floor(libm::log10(p)) as i32;
             format!("{p:.*} %", digits.unsigned_abs() as usize)
         }
-        p if p < 9.995 => format!("{p:.2} %"),
-        p if p < 99.95 => format!("{p:.1} %"),
-        p => format!("{p:.0} %"),
+        p => format!("{} %", three_digits(p)),
     }
 }
 
@@ -75,8 +73,7 @@ pub fn percent(share: f64) -> String {
 pub fn seconds(seconds: f64) -> String {
     match seconds {
         s if !s.is_finite() => "unknown time".to_owned(),
-        s if s < 9.995 => format!("{s:.2} s"),
-        s if s < 99.95 => format!("{s:.1} s"),
+        s if s < 99.95 => format!("{} s", three_digits(s)),
         s if s < 5999.5 => {
             let whole = s.round() as u64;
             format!("{} min {:02} s", whole / 60, whole % 60)

@@ -28,6 +28,7 @@ impl Parts<'_> {
         let mut textures = [None, None, None];
         let [first, second, third] = &mut textures;
         let bsdf = match said {
+            Said::Custom(bsdf) => return Ok(Material::custom(Arc::clone(bsdf))),
             Said::Lambert { albedo } => Bsdf::Lambert(Lambert {
                 albedo: self
                     .color(albedo, first)

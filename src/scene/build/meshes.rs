@@ -1,11 +1,14 @@
 //! Triangles, alone and in meshes.
 
-use crate::geometry::{Aabb, DEFAULT_UVS, Instance, Mesh, Primitive, Shape, SharedMesh, Triangle};
+use crate::geometry::{
+    Aabb, DEFAULT_UVS, Instance, InstancedShape, Mesh, Primitive, Shape, SharedMesh, Triangle,
+};
 use crate::scene::contacts::NEAR;
 use crate::scene::description as said;
 use crate::scene::field::{Checked, Problem, check};
 use crate::scene::mapping::{Corners, Mapping};
 use crate::scene::mesh_file::{self, MeshFile};
+use crate::scene::motion::PlacedInstance;
 use crate::scene::parts::{Parts, alone};
 use crate::scene::placement::Placement;
 use crate::scene::value::Triple;
@@ -106,7 +109,7 @@ impl Parts<'_> {
         &mut self,
         said: &said::Shape,
         place: &Placement,
-    ) -> Option<(Instance, Mapping)> {
+    ) -> Option<(Instance, Arc<SharedMesh>, Mapping)> {
         let said::Shape::Mesh { file } = said else {
             return None;
         };
@@ -119,8 +122,22 @@ impl Parts<'_> {
             (Arc::new(SharedMesh::new(triangles)), mapping)
         });
         let (linear, shift) = place.affine();
-        let instance = Instance::new(Arc::clone(mesh), linear, shift - self.origin)?;
-        Some((instance, mapping.clone()))
+        let shape: Arc<dyn InstancedShape> = Arc::<SharedMesh>::clone(mesh);
+        let instance = Instance::new(shape, linear, shift - self.origin)?;
+        Some((instance, Arc::clone(mesh), mapping.clone()))
+    }
+
+    /// A shape of one's own in its place.
+    pub(super) fn custom(
+        &self,
+        shape: &Arc<dyn InstancedShape>,
+        place: &Placement,
+    ) -> Checked<Instance> {
+        let (linear, shift) = place.affine();
+        let instance = Instance::new(Arc::clone(shape), linear, shift - self.origin);
+        let what = "has a transformation that stretches by more than 10 000 times as much in one \
+                    direction as in another, or leads too far away";
+        instance.ok_or(Problem::new(what))
     }
 
     /// Stores those instances for themselves that are so near to a lamp that one rule must decide which of
@@ -133,25 +150,25 @@ impl Parts<'_> {
         };
         let lamps: Vec<Aabb> = self.all.iter().filter_map(lamp).collect();
         let shapes = self.all.iter().map(|(shape, _)| shape.bounds());
-        let boxes = self.instances.iter().map(|(instance, _)| instance.bounds());
+        let boxes = self.instances.iter().map(|placed| placed.instance.bounds());
         let around = shapes.chain(boxes).fold(Aabb::EMPTY, Aabb::union);
         let near = (around.max - around.min).length() * NEAR as f32;
-        let touches = |(instance, _): &(Instance, u32)| {
-            let Aabb { min, max } = instance.bounds();
+        let touches = |placed: &PlacedInstance| {
+            let Aabb { min, max } = placed.instance.bounds();
             let (min, max) = (min - Vec3::splat(near), max + Vec3::splat(near));
-            lamps
-                .iter()
-                .any(|lamp| min.cmple(lamp.max).all() && lamp.min.cmple(max).all())
+            placed.mesh.is_some()
+                && lamps
+                    .iter()
+                    .any(|lamp| min.cmple(lamp.max).all() && lamp.min.cmple(max).all())
         };
         let (close, apart) = self.instances.drain(..).partition(touches);
         self.instances = apart;
-        let close: Vec<(Instance, u32)> = close;
-        for (instance, object) in close {
-            let mirrored = instance.mirrors();
-            let shapes = instance.triangles().map(Shape::Triangle);
-            self.all.extend(shapes.map(|shape| (shape, object)));
-            let mapping = &mut self.objects[object as usize].mapping;
-            if mirrored {
+        let close: Vec<PlacedInstance> = close;
+        for placed in close {
+            let shapes = placed.triangles().map(Shape::Triangle);
+            self.all.extend(shapes.map(|shape| (shape, placed.object)));
+            let mapping = &mut self.objects[placed.object as usize].mapping;
+            if placed.instance.mirrors() {
                 *mapping = mapping.mirrored();
             }
         }
