@@ -268,6 +268,36 @@ fn where_no_noise_is_seen_the_render_ends_and_claims_nothing() {
     }
 }
 
+/// What every platform without a clock says of the time gone.
+struct NoClock;
+
+impl Progress for NoClock {
+    fn tell(&self, _: u64, _: u64) {}
+    fn stop(&self) -> bool {
+        false
+    }
+    fn elapsed(&self, _: Moment) -> Duration {
+        Duration::MAX
+    }
+}
+
+#[test]
+fn without_a_clock_time_is_up_after_one_sample() {
+    let scene = small("cornell", [8, 8]);
+    let time = Some(Duration::from_secs(3600));
+    for error in [None, Some(0.01)] {
+        for sampler in [Sampler::Independent, Sampler::Sobol] {
+            let goal = Goal {
+                error,
+                time,
+                ..Goal::default()
+            };
+            let outcome = render_to(&scene, &Path::new(5), &options(1, sampler), &goal, &NoClock);
+            assert_eq!((outcome.stopped_by, outcome.spp), (StoppedBy::Time, 1));
+        }
+    }
+}
+
 #[test]
 fn an_error_below_the_rounding_of_samples_is_not_claimed() {
     // Ten times the light of a furnace of albedo 0.9, whose samples differ by their last bits alone.

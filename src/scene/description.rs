@@ -88,15 +88,6 @@ pub struct Render {
     pub spp: Whole<1, 16_777_216>,
 }
 
-impl Default for Render {
-    fn default() -> Self {
-        Render {
-            max_depth: Whole(12),
-            spp: Whole(64),
-        }
-    }
-}
-
 /// A camera: a pinhole, unless it has a lens.
 #[derive(Clone, Debug, Deserialize)]
 #[serde(deny_unknown_fields)]
@@ -120,33 +111,12 @@ pub struct Camera {
     pub shutter: Shutter,
 }
 
-/// A pinhole at the origin that looks along `-z`.
-impl Default for Camera {
-    fn default() -> Self {
-        Camera {
-            from: Triple::default(),
-            to: Triple([0.0, 0.0, -1.0]),
-            up: Direction::default(),
-            fov: Fov::default(),
-            lens_radius: NotNegative::default(),
-            focus: None,
-            shutter: Shutter::default(),
-        }
-    }
-}
-
 /// The film.
 #[derive(Clone, Debug, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Film {
     /// Width and height in pixels.
     pub size: [i64; 2],
-}
-
-impl Default for Film {
-    fn default() -> Self {
-        Film { size: [256, 256] }
-    }
 }
 
 /// A material.
@@ -211,14 +181,6 @@ impl Material {
             Material::Mixture { kd, ks, kt, .. } => [Some(kd), Some(ks), Some(kt)],
             Material::Glass { .. } | Material::RoughGlass { .. } | Material::Custom(_) => [None; 3],
         }
-    }
-}
-
-/// Grey, diffuse.
-impl Default for Material {
-    fn default() -> Self {
-        let albedo = Textured::default();
-        Material::Lambert { albedo }
     }
 }
 
@@ -335,17 +297,6 @@ pub enum Shape {
     },
 }
 
-/// The unit sphere.
-impl Default for Shape {
-    fn default() -> Self {
-        Shape::Sphere {
-            center: Triple::default(),
-            radius: Positive::default(),
-            inward: false,
-        }
-    }
-}
-
 /// A light without a surface.
 #[derive(Clone, Debug, Deserialize)]
 #[serde(rename = "kind of light", rename_all = "snake_case")]
@@ -370,16 +321,6 @@ pub enum Light {
     Custom(Arc<dyn CustomLight>),
 }
 
-/// A point at the origin.
-impl Default for Light {
-    fn default() -> Self {
-        Light::Point {
-            position: Triple::default(),
-            intensity: Emission::default(),
-        }
-    }
-}
-
 /// What is seen beyond the scene.
 #[derive(Clone, Debug, Default, Deserialize)]
 #[serde(deny_unknown_fields)]
@@ -401,11 +342,4 @@ pub enum Sky {
     Radiance(Radiance),
     /// `.exr`, `.hdr` or `.png` in latitude and longitude, relative to the scene file.
     Image(PathBuf),
-}
-
-/// Black.
-impl Default for Sky {
-    fn default() -> Self {
-        Sky::Radiance(Radiance::default())
-    }
 }
