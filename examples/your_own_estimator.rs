@@ -31,6 +31,7 @@ fn mended(p: &mut Patient<Flat>) -> f32 {
     Flat::LAMBERT * p.albedo * sum / p.samples as f32
 }
 
+// ANCHOR: converge
 /// The convergence of a closure: the mean of `x^power`, with each sample and its mirror image.
 fn mirrored(power: i32) -> Convergence {
     let truth = 1.0 / f64::from(power + 1);
@@ -40,6 +41,7 @@ fn mirrored(power: i32) -> Convergence {
     });
     converge(&estimator, &Design::default())
 }
+// ANCHOR_END: converge
 
 fn main() {
     print!("{}", mirrored(2));

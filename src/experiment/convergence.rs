@@ -38,8 +38,8 @@ impl Estimator {
     pub fn new(
         name: &'static str,
         truth: f64,
-        estimate: impl Fn(&mut Numbers, u32) -> f64,
-    ) -> Estimator<impl Fn(u32, u64) -> f64> {
+        estimate: impl Fn(&mut Numbers, u32) -> f64 + Clone,
+    ) -> Estimator<impl Fn(u32, u64) -> f64 + Clone> {
         Estimator {
             name,
             about: "",
