@@ -6,7 +6,7 @@ use std::path::{Path, PathBuf};
 
 /// The floors, from the ground up; modules of one floor may use each other.
 const FLOORS: &[&[&str]] = &[
-    &["numeric", "color", "notation"],
+    &["numeric", "color", "notation", "time"],
     &["sampling", "stats"],
     &["chart"],
     &["geometry", "space"],

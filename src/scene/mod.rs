@@ -9,6 +9,7 @@ mod brightest;
 pub mod build;
 mod casters;
 mod contacts;
+mod defaults;
 pub mod description;
 mod effects;
 pub mod field;
