@@ -4,7 +4,7 @@
 
 #![allow(clippy::print_stdout)]
 
-use halfdisk::estimators::doctor::{Patient, examine};
+use halfdisk::lab::doctor::{Patient, examine};
 use halfdisk::sampling::half_disk;
 use halfdisk::space::{Flat, Space};
 

@@ -1,4 +1,4 @@
-//! Inputs on which plain code goes wrong, each with a plain twin that does (`halfdisk::numeric::naive`).
+//! Inputs on which plain code goes wrong, each with a plain twin that does (`halfdisk::lab::naive`).
 //!
 //! Names without a folder are those of modules here; others, such as `lights::`, of `tests/`. Each test
 //! prints its worst case and that of the plain twin, and the seed where it draws.
