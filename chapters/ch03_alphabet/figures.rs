@@ -1,7 +1,7 @@
 //! The figures of this chapter: shares of the light as bars, and a picture for each class.
 
 use crate::share_of;
-use halfdisk::integrators::{Integrator, Path, Restricted, Whitted};
+use halfdisk::integrators::{FilteredPath, Integrator, Path, Whitted};
 use halfdisk::lab::chapter::{Desk, DeskError, Number};
 use halfdisk::lab::drawing::{Bar, BarChart, BarGroup};
 use halfdisk::lab::effects::language::{Class, Finds, finds};
@@ -93,7 +93,7 @@ pub fn strip(desk: &mut Desk) -> Result<Drawn, DeskError> {
         // ANCHOR: class
         let expression = class.expression();
         let paths = expression.eye_first();
-        let rendered = paint(desk, &scene, &Restricted { path, paths })?;
+        let rendered = paint(desk, &scene, &FilteredPath { path, paths })?;
         // ANCHOR_END: class
         let caption = format!("{}: {}.", class.text(), class.name());
         let name = format!("{}.png", short(class));

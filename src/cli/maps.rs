@@ -5,7 +5,7 @@ use crate::lab::drawing::{Axis, HeatMap};
 use crate::lab::figures::required_chart;
 use crate::render::Film;
 use crate::render::accuracy::{Accuracy, Measure};
-use crate::render::target::{Goal, percent};
+use crate::render::stopping::{Goal, percent};
 use clap::Args;
 use std::path::{Path, PathBuf};
 

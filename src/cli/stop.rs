@@ -4,7 +4,7 @@ use super::left_out::LeftOut;
 use crate::lab::chapter::whole;
 use crate::render::accuracy::{Accuracy, Measure};
 use crate::render::rounding;
-use crate::render::target::{
+use crate::render::stopping::{
     Goal, MOST_SAMPLES, Outcome, Prediction, Reached, StoppedBy, TOLERANCE, fewest, percent,
     seconds,
 };

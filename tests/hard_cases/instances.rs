@@ -51,14 +51,14 @@ fn an_instance_is_met_where_copies_of_its_triangles_are() {
         for _ in 0..500 {
             let from = middle + draw.direction() * size * 2.0;
             let ray = Draw::towards(from, middle + draw.cube(size * 0.5));
-            let (a, b) = (instances.first(&ray), copies.first(&ray));
-            assert_eq!(instances.any(&ray), a.is_some());
+            let (a, b) = (instances.first_hit(&ray), copies.first_hit(&ray));
+            assert_eq!(instances.occluded(&ray), a.is_some());
             match (a, b) {
-                (Some(a), Some(b)) if a.crossing.part == b.id => {
+                (Some(a), Some(b)) if a.intersection.part == b.id => {
                     hits += 1;
                     let [p, q] = [
-                        a.shape.surface(&ray, a.crossing),
-                        b.shape.surface(&ray, b.crossing),
+                        a.shape.surface(&ray, a.intersection),
+                        b.shape.surface(&ray, b.intersection),
                     ];
                     let off = (p.p - q.p).abs();
                     assert!(off.cmple(Vec3::splat(size * 1e-4)).all(), "{off} of {size}");
@@ -98,7 +98,7 @@ fn rays_that_leave_an_instance_do_not_meet_the_same_triangle_again() {
         for _ in 0..40 {
             let from = middle + draw.direction() * size * 2.0;
             let ray = Draw::towards(from, middle + draw.cube(size * 0.4));
-            let Some(x) = instance.cross(&PreparedRay::from(&ray), f32::MAX) else {
+            let Some(x) = instance.intersect(&PreparedRay::from(&ray), f32::MAX) else {
                 continue;
             };
             let surface = instance.surface(&ray, x);
@@ -107,7 +107,7 @@ fn rays_that_leave_an_instance_do_not_meet_the_same_triangle_again() {
                 let out = draw.leaving(side);
                 let again = |s: &Surface| {
                     let ray: Ray = s.spawn(out);
-                    let met = instance.cross(&PreparedRay::from(&ray), f32::MAX);
+                    let met = instance.intersect(&PreparedRay::from(&ray), f32::MAX);
                     met.is_some_and(|met| met.part == x.part)
                 };
                 rays += 1;

@@ -242,7 +242,7 @@ fn a17_no_matrix_is_mixed_with_another() {
         let time = draw.one();
         let at = Vec3::new(3.0, -2.0, 5.0) * time;
         let ray = Draw::towards(at + draw.direction() * 9.0, at);
-        let x = moving.cross(&PreparedRay::from(&ray.at_time(time)), f32::MAX);
+        let x = moving.intersect(&PreparedRay::from(&ray.at_time(time)), f32::MAX);
         assert!(x.is_some_and(|x| (x.t - 8.0).abs() < 1e-4));
     }
 }

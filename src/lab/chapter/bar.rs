@@ -2,7 +2,7 @@
 
 use super::tell;
 use crate::render::Progress;
-use crate::render::target::{Pilot, Prediction, Reached};
+use crate::render::stopping::{Pilot, Prediction, Reached};
 use indicatif::{ProgressBar, ProgressStyle};
 use std::sync::atomic::{AtomicBool, Ordering};
 

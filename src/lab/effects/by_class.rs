@@ -3,7 +3,7 @@
 use super::language::Class;
 use crate::color::Rgb;
 use crate::geometry::Ray;
-use crate::integrators::{Follow, Path};
+use crate::integrators::{Path, PathObserver};
 use crate::materials::Event;
 use crate::notation::{Expression, Letter, State};
 use crate::render::{Options, Progress, Recorded, Recorder, record};
@@ -64,7 +64,7 @@ struct Sorter<'a> {
     li: Rgb,
 }
 
-impl Follow for Sorter<'_> {
+impl PathObserver for Sorter<'_> {
     fn scattered(&mut self, event: Event) -> bool {
         for state in &mut self.states {
             *state = state.next(event.into());

@@ -2,7 +2,7 @@
 //! without it.
 
 use super::language::Wanted;
-use crate::integrators::{Path, Restricted};
+use crate::integrators::{FilteredPath, Path};
 use crate::render::accuracy::Scale;
 use crate::render::{self, Options, Picture, Progress, Rendered};
 use crate::sampling::stream::Sampler;
@@ -28,7 +28,12 @@ impl Setup {
             None => render::render(&self.scene, &path, options, progress),
             Some(Wanted { eye_first, .. }) => {
                 let paths = eye_first;
-                render::render(&self.scene, &Restricted { path, paths }, options, progress)
+                render::render(
+                    &self.scene,
+                    &FilteredPath { path, paths },
+                    options,
+                    progress,
+                )
             }
         }
     }

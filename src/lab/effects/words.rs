@@ -3,7 +3,7 @@
 
 use crate::color::Rgb;
 use crate::geometry::Ray;
-use crate::integrators::{Follow, Path};
+use crate::integrators::{Path, PathObserver};
 use crate::materials::Event;
 use crate::notation::{Letter, Word};
 use crate::render::{Options, Progress, Recorded, Recorder, record};
@@ -176,7 +176,7 @@ impl Speller<'_> {
     }
 }
 
-impl Follow for Speller<'_> {
+impl PathObserver for Speller<'_> {
     fn scattered(&mut self, event: Event) -> bool {
         self.code = longer(self.code, event);
         true

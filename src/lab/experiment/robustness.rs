@@ -84,7 +84,7 @@ fn sphere(rays: &[Ray]) -> Pair {
         plain_form: "school formula in f32, from a fixed distance on",
         robust_form: "quadratic in f64",
         plain: work(rays.to_vec(), plain, met),
-        robust: work(prepared(rays), move |r| ours.cross(r, f32::MAX), met),
+        robust: work(prepared(rays), move |r| ours.intersect(r, f32::MAX), met),
     }
 }
 
@@ -103,7 +103,7 @@ fn triangle(rays: &[Ray]) -> Pair {
         plain_form: "Möller and Trumbore",
         robust_form: "watertight",
         plain: work(rays.to_vec(), plain, met),
-        robust: work(prepared(rays), move |r| ours.cross(r, f32::MAX), met),
+        robust: work(prepared(rays), move |r| ours.intersect(r, f32::MAX), met),
     }
 }
 

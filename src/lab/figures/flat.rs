@@ -38,7 +38,11 @@ pub fn world(world: &FlatWorld) -> RayDrawing {
         }
     }
     let lamp = |at| Dot { at: wide(at) };
-    drawing.lamps = world.lamps.iter().map(|l| lamp(l.position)).collect();
+    drawing.lamps = world
+        .point_lights
+        .iter()
+        .map(|l| lamp(l.position))
+        .collect();
     drawing
 }
 

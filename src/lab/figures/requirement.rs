@@ -1,7 +1,7 @@
 //! How many samples the pixels of a picture need, as a chart.
 
 use crate::lab::drawing::{Axis, Curve, CurveChart, Style};
-use crate::render::target::percent;
+use crate::render::stopping::percent;
 use crate::stats::quantile;
 
 /// Bins for each doubling of the samples.

@@ -94,11 +94,11 @@ impl World<Flat> for Watched<'_> {
         // A shadow ray was sent: to the point that these numbers give.
         if self.world.rays > before {
             let (world, p) = (self.world.world, at.surface.p);
-            let to = match world.lamps.get(lamp) {
+            let to = match world.point_lights.get(lamp) {
                 Some(point) => Some(point.position),
                 None => {
                     let numbers = stream.at_item(vertex, Purpose::LightPoint, lamp as u32);
-                    let glowing = &world.glowing()[lamp - world.lamps.len()];
+                    let glowing = &world.area_lights()[lamp - world.point_lights.len()];
                     let drawn = glowing.sample(p, numbers.clone().one());
                     drawn.map(|drawn| drawn.surface.p)
                 }

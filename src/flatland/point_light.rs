@@ -6,7 +6,7 @@ use std::f32::consts::TAU;
 
 /// A point that shines the same in all directions of the plane.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Lamp {
+pub struct PointLight {
     /// Where it is.
     pub position: Vec2,
     /// Its power, in W.
@@ -15,7 +15,7 @@ pub struct Lamp {
 
 /// What arrives from a lamp at a point, if nothing stands in the way.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct LampLight {
+pub struct LightAtPoint {
     /// Unit direction to the lamp.
     pub wi: Vec2,
     /// Distance to the lamp.
@@ -24,7 +24,7 @@ pub struct LampLight {
     pub irradiance: Rgb,
 }
 
-impl Lamp {
+impl PointLight {
     /// Power per angle, `Φ / 2π`, in W/rad: a full circle has 2π of them, a sphere 4π.
     pub fn intensity(&self) -> Rgb {
         self.power * (1.0 / TAU)
@@ -32,9 +32,9 @@ impl Lamp {
 
     /// The light that arrives at `p`: it fades with the distance, `I / r`, for it spreads over the
     /// edge of a circle. `None` where `p` is the lamp itself.
-    pub fn light_at(&self, p: Vec2) -> Option<LampLight> {
+    pub fn light_at(&self, p: Vec2) -> Option<LightAtPoint> {
         let way = self.position - p;
-        Some(LampLight {
+        Some(LightAtPoint {
             wi: way.try_normalize()?,
             distance: way.length(),
             irradiance: self.intensity() * (1.0 / way.length()),
@@ -48,7 +48,7 @@ mod tests {
 
     #[test]
     fn all_power_arrives_at_a_circle_of_any_radius() {
-        let lamp = Lamp {
+        let lamp = PointLight {
             position: Vec2::new(3.0, 4.0),
             power: Rgb::grey(8.0),
         };

@@ -9,7 +9,7 @@ use crate::sampling::stream::Stream;
 use crate::scene::Tracer;
 
 /// Goes along with a path from the eye, hears of each of its vertices and of all light it finds.
-pub trait Follow {
+pub trait PathObserver {
     /// The path goes on from a surface that scattered like this. False where no light from beyond
     /// counts: the path ends.
     fn scattered(&mut self, event: Event) -> bool;
@@ -27,12 +27,12 @@ pub trait Follow {
 
 /// All light, whichever way it came.
 #[derive(Clone, Copy, Debug, Default)]
-pub struct Everything {
+pub struct AllLight {
     /// Its sum.
     pub li: Rgb,
 }
 
-impl Follow for Everything {
+impl PathObserver for AllLight {
     fn scattered(&mut self, _: Event) -> bool {
         true
     }
@@ -53,27 +53,27 @@ impl Follow for Everything {
 // ANCHOR: among
 /// The light of the paths whose words are in a language.
 #[derive(Clone, Copy, Debug)]
-pub struct OnlyPaths<'a> {
+pub struct PathFilter<'a> {
     /// How far the word has been read, from the eye.
     state: State<'a>,
     /// The sum.
     pub li: Rgb,
 }
 
-impl<'a> OnlyPaths<'a> {
+impl<'a> PathFilter<'a> {
     /// At the eye.
     ///
     /// * `paths`: words from the eye to the light (see
     ///   [`Expression::eye_first`](crate::notation::Expression::eye_first)).
     pub fn new(paths: &'a Language) -> Self {
-        OnlyPaths {
+        PathFilter {
             state: paths.start().next(Letter::Eye),
             li: Rgb::BLACK,
         }
     }
 }
 
-impl Follow for OnlyPaths<'_> {
+impl PathObserver for PathFilter<'_> {
     fn scattered(&mut self, event: Event) -> bool {
         self.state = self.state.next(event.into());
         self.state.can_still_accept()
@@ -101,16 +101,16 @@ impl Follow for OnlyPaths<'_> {
 /// What is left is the light of [`Path`] that came by these paths, sample by sample: pictures of
 /// languages that have no word in common add up to the picture of both.
 #[derive(Clone, Copy, Debug)]
-pub struct Restricted<'a> {
+pub struct FilteredPath<'a> {
     /// How paths are traced.
     pub path: Path,
     /// Words from the eye to the light.
     pub paths: &'a Language,
 }
 
-impl Integrator for Restricted<'_> {
+impl Integrator for FilteredPath<'_> {
     fn li(&self, tracer: &mut Tracer, ray: &Ray, stream: &Stream) -> Rgb {
-        let mut only = OnlyPaths::new(self.paths);
+        let mut only = PathFilter::new(self.paths);
         self.path.trace(tracer, ray, stream, &mut only);
         only.li
     }

@@ -6,7 +6,7 @@ use glam::{DVec2, Vec2};
 
 /// A part of the world that emits light on its front side.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Glowing {
+pub struct AreaLight {
     /// Its outline.
     pub shape: Shape,
     /// In W/(m·rad).
@@ -17,7 +17,7 @@ pub struct Glowing {
 
 /// A point of a glowing shape, as drawn for another point.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct GlowingPoint {
+pub struct AreaLightSample {
     /// The point.
     pub surface: FlatSurface,
     /// The unit direction to it.
@@ -34,12 +34,12 @@ struct View {
     turn: f64,
 }
 
-impl Glowing {
+impl AreaLight {
     /// Draws a point, uniformly in the angle at which `p` sees the shape's front; `None` where it
     /// does not see it.
     ///
-    /// * Density: one over that angle, per radian ([`Glowing::pdf`]).
-    pub fn sample(&self, p: Vec2, u: f32) -> Option<GlowingPoint> {
+    /// * Density: one over that angle, per radian ([`AreaLight::pdf`]).
+    pub fn sample(&self, p: Vec2, u: f32) -> Option<AreaLightSample> {
         let View { from, turn } = self.view(p)?;
         let angle = f64::from(u) * turn;
         let toward = DVec2::new(libm::cos(angle), libm::sin(angle)).rotate(from);
@@ -58,14 +58,14 @@ impl Glowing {
                 c.surface_towards((near - center).normalize())
             }
         };
-        Some(GlowingPoint {
+        Some(AreaLightSample {
             surface,
             wi: toward.as_vec2(),
             pdf: self.pdf(p),
         })
     }
 
-    /// Density of [`Glowing::sample`] at every direction in which `p` sees the shape's front, per
+    /// Density of [`AreaLight::sample`] at every direction in which `p` sees the shape's front, per
     /// radian; 0 where it does not.
     pub fn pdf(&self, p: Vec2) -> f32 {
         self.view(p).map_or(0.0, |view| (1.0 / view.turn) as f32)
@@ -103,15 +103,15 @@ mod tests {
     use super::super::{Circle, Segment};
     use super::*;
 
-    fn glowing(shape: Shape) -> Glowing {
-        Glowing {
+    fn glowing(shape: Shape) -> AreaLight {
+        AreaLight {
             shape,
             radiance: Rgb::WHITE,
             part: 0,
         }
     }
 
-    fn lamps() -> [Glowing; 2] {
+    fn lamps() -> [AreaLight; 2] {
         let ceiling = Segment::new(DVec2::new(2.0, 1.0), DVec2::new(-1.0, 1.5));
         let ball = Circle {
             center: Vec2::new(0.5, 3.0),
@@ -135,7 +135,7 @@ mod tests {
                 assert!((way - s.wi).length() < 1e-6, "{s:?}");
                 assert!(s.surface.n.dot(s.wi) < 1e-3, "the front: {s:?}");
                 let ray = (p.as_dvec2(), s.wi.as_dvec2());
-                if let Some(met) = lamp.shape.cross(ray.0, ray.1, f64::INFINITY) {
+                if let Some(met) = lamp.shape.intersect(ray.0, ray.1, f64::INFINITY) {
                     let off = (met.p.as_vec2() - s.surface.p).length();
                     // At the rim of a circle a small turn is a large step.
                     assert!(off < 2e-3, "{off}");
@@ -160,7 +160,7 @@ mod tests {
         }
     }
 
-    fn ball_center(ball: &Glowing) -> Vec2 {
+    fn ball_center(ball: &AreaLight) -> Vec2 {
         match ball.shape {
             Shape::Circle(c) => c.center,
             Shape::Segment(s) => s.ends()[0],

@@ -2,7 +2,7 @@
 
 use super::Object;
 use super::ball::{Ball, Sight};
-use super::images::{Image, LampInBall, Way};
+use super::images::{Image, VirtualLight, Way};
 use super::motion::PlacedInstance;
 use crate::geometry::Shape;
 use crate::materials::{Bsdf, Material};
@@ -47,7 +47,7 @@ fn through(ior: f32) -> [Way; WAYS] {
 /// more often still. Jensen, Global Illumination Using Photon Maps (Rendering Techniques 1996),
 /// "Projection maps", sends photons there for the same reason.
 #[derive(Clone, Debug, Default)]
-pub struct Casters {
+pub struct CausticGuide {
     all: Vec<Caster>,
     /// Balls around the lamps that are seen in them.
     lamps: Vec<Ball>,
@@ -58,10 +58,10 @@ pub struct Casters {
 struct Caster {
     ball: Ball,
     /// Seen in it, where it is a ball.
-    lamps: Vec<LampInBall>,
+    lamps: Vec<VirtualLight>,
 }
 
-impl Casters {
+impl CausticGuide {
     /// Those among the objects of a scene; `owners` are the objects that the shapes belong to.
     pub(super) fn new(
         objects: &[Object],
@@ -90,7 +90,7 @@ impl Casters {
         });
         let bright = among(|object| object.light.is_some());
         if specular.len() > MOST {
-            return Casters::default();
+            return CausticGuide::default();
         }
         let mut lamps: Vec<Ball> = Vec::new();
         if bright.len() * specular.len() * WAYS <= MOST_IMAGES {
@@ -111,7 +111,7 @@ impl Casters {
             };
             let seen = ways.iter().flat_map(|way| {
                 let lamps = lamps.iter();
-                lamps.filter_map(|lamp| LampInBall::new(&ball, lamp, *way))
+                lamps.filter_map(|lamp| VirtualLight::new(&ball, lamp, *way))
             });
             let lamps = seen.collect();
             Some(Caster { ball, lamps })
@@ -123,7 +123,7 @@ impl Casters {
                 all.push(caster);
             }
         }
-        Casters { all, lamps }
+        CausticGuide { all, lamps }
     }
 
     /// True where nothing focuses light.
@@ -138,8 +138,8 @@ impl Casters {
 
     /// Those that can be aimed at from `p`: it is not within their balls.
     #[inline(always)]
-    pub fn seen_from(&self, p: Vec3) -> SeenCasters {
-        let mut seen = SeenCasters::default();
+    pub fn seen_from(&self, p: Vec3) -> GuideAt {
+        let mut seen = GuideAt::default();
         for caster in &self.all {
             let Some(sight) = caster.ball.seen_from(p) else {
                 continue;
@@ -162,7 +162,7 @@ impl Casters {
 
 /// The cones in which specular objects are seen from a point, and the lamps in them.
 #[derive(Debug, Default)]
-pub struct SeenCasters {
+pub struct GuideAt {
     cones: ArrayVec<Sight, MOST>,
     images: ArrayVec<Image, MOST_IMAGES>,
     /// What the images are worth together.
@@ -171,7 +171,7 @@ pub struct SeenCasters {
     at_images: f32,
 }
 
-impl SeenCasters {
+impl GuideAt {
     /// True where none is seen.
     pub fn is_empty(&self) -> bool {
         self.cones.is_empty()
@@ -188,7 +188,7 @@ impl SeenCasters {
     /// Draws a direction: one of the cones, each as likely, and in it any direction, uniformly in
     /// solid angle; or a lamp in one of them. Not for none.
     ///
-    /// Density: [`SeenCasters::pdf`], in 1/sr.
+    /// Density: [`GuideAt::pdf`], in 1/sr.
     pub fn sample(&self, choice: f32, u: [f32; 2]) -> Vec3 {
         let choice = choice * self.share();
         if choice < self.at_images {
@@ -207,7 +207,7 @@ impl SeenCasters {
         Frame::new(cone.axis).to_world(warps::sample_cone(u, cone.one_minus_cos))
     }
 
-    /// Density of [`SeenCasters::sample`] at the unit direction `wi`, in 1/sr.
+    /// Density of [`GuideAt::sample`] at the unit direction `wi`, in 1/sr.
     pub fn pdf(&self, wi: Vec3) -> f32 {
         let inside = self.cones.iter().filter(|cone| {
             // 1 - cos of the angle between unit vectors, in which nothing cancels.
@@ -243,7 +243,7 @@ mod tests {
     }
 
     /// Balls on the x axis.
-    fn casters<const N: usize>(balls: [(Material, f32, f32); N]) -> Casters {
+    fn casters<const N: usize>(balls: [(Material, f32, f32); N]) -> CausticGuide {
         let shape = |x, radius| Shape::Sphere(Sphere::new(Vec3::new(x, 0.0, 0.0), radius));
         let owners: Vec<u32> = (0..N as u32).collect();
         let shapes: Vec<Shape> = balls
@@ -254,7 +254,7 @@ mod tests {
             material: Some(material),
             ..Object::default()
         });
-        Casters::new(&objects, &shapes, &owners, &[])
+        CausticGuide::new(&objects, &shapes, &owners, &[])
     }
 
     #[test]
@@ -311,7 +311,7 @@ mod tests {
             ball(0.0, 4.0, 1.5),
             ball(6.0, 0.5, 0.5),
         ];
-        let casters = Casters::new(&objects, &shapes, &[0, 1, 2], &[]);
+        let casters = CausticGuide::new(&objects, &shapes, &[0, 1, 2], &[]);
         let seen = casters.seen_from(Vec3::ZERO);
         // The lamp is behind the glass, which does not reflect it this way.
         assert_eq!((seen.cones.len(), seen.images.len()), (2, 2));
