@@ -6,8 +6,8 @@
 //! ```
 
 use clap::Parser;
-use halfdisk::desk::{Bar, answer, on_ctrl_c, tell};
 use halfdisk::integrators::Path;
+use halfdisk::lab::chapter::{Bar, answer, on_ctrl_c, tell};
 use halfdisk::render::accuracy::{Accuracy, Measure, true_error};
 use halfdisk::render::target::{Goal, Outcome, Prediction, render_to};
 use halfdisk::render::{Film, Options, render};

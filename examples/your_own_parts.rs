@@ -181,7 +181,7 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
         ..Options::default()
     };
     let rendered = render(&scene, &Path::new(6), &options, &());
-    let facts = Provenance::new(&scene, "path", 6, options.spp, options.seed);
+    let facts = Provenance::new(&scene, "path", 6, options.spp.into(), options.seed);
     let path = std::path::Path::new("out/your_own_parts.png");
     output::write(path, &rendered.film, Display::Radiance, &facts)?;
     println!("{}", path.display());

@@ -7,10 +7,10 @@ mod figures;
 
 use glam::Vec3;
 use halfdisk::color::Rgb;
-use halfdisk::desk::{Chapter, Desk, DeskError};
 use halfdisk::geometry::Ray;
 use halfdisk::integrators::{TreeCount, TreeRecord, Watch, Whitted};
-use halfdisk::ledger::Ledger;
+use halfdisk::lab::chapter::{Chapter, Desk, DeskError};
+use halfdisk::lab::ledger::Ledger;
 use halfdisk::render::{Options, Rendered, compare, render};
 use halfdisk::sampling::stream::Stream;
 use halfdisk::scene::{Scene, Tracer, gallery};

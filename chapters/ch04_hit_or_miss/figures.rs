@@ -1,14 +1,14 @@
 //! The figures of this chapter: darts, a run with its band, rates, dimensions.
 
 use super::checks::checked;
-use halfdisk::chart::{
+use halfdisk::lab::chapter::{Desk, DeskError};
+use halfdisk::lab::drawing::{
     Arc, Axis, Bounds, ChartError, Curve, CurveChart, RayDrawing, Stroke, StrokeKind, Style,
 };
-use halfdisk::desk::{Desk, DeskError};
-use halfdisk::estimators::{hit_or_miss, many_dimensions};
-use halfdisk::experiment::convergence::{Convergence, Design, converge};
-use halfdisk::experiment::named;
-use halfdisk::figures::convergence_chart;
+use halfdisk::lab::estimators::{hit_or_miss, many_dimensions};
+use halfdisk::lab::experiment::convergence::{Convergence, Design, converge};
+use halfdisk::lab::experiment::named;
+use halfdisk::lab::figures::convergence_chart;
 use halfdisk::sampling::stream::{Purpose, Stream};
 use halfdisk::stats::z_test::Largest;
 use std::f64::consts::{FRAC_PI_2, PI};

@@ -10,8 +10,8 @@ mod needs;
 mod prices;
 mod steps;
 
-use halfdisk::desk::{Chapter, Desk, DeskError};
-use halfdisk::ledger::Ledger;
+use halfdisk::lab::chapter::{Chapter, Desk, DeskError};
+use halfdisk::lab::ledger::Ledger;
 use std::process::ExitCode;
 
 const CHAPTER: Chapter = Chapter {

@@ -3,8 +3,9 @@
 use glam::{DVec3, Vec3};
 use halfdisk::geometry::{Aabb, PreparedRay, Ray, Sphere, Triangle};
 use halfdisk::integrators::Survival;
+use halfdisk::lab::naive;
 use halfdisk::materials::{Glass, fresnel, ggx::Ggx};
-use halfdisk::numeric::{self, naive};
+use halfdisk::numeric;
 use halfdisk::sampling::mis::Heuristic;
 use halfdisk::sampling::stream::{Numbers, Purpose, Stream};
 use halfdisk::sampling::{frame::Frame, half_disk, warps};

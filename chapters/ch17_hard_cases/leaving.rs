@@ -3,7 +3,7 @@
 use crate::cases::numbers;
 use glam::Vec3;
 use halfdisk::geometry::{Crossing, PreparedRay, Ray, Triangle};
-use halfdisk::numeric::naive;
+use halfdisk::lab::naive;
 use halfdisk::sampling::stream::Numbers;
 use halfdisk::sampling::{frame::Frame, hemisphere, warps};
 

@@ -1,9 +1,9 @@
 //! The final scene, whole and class by class.
 
 use crate::{FINAL, load};
-use halfdisk::desk::{Desk, DeskError, Number};
-use halfdisk::effects::language::{Class, Finds, finds};
 use halfdisk::integrators::{Integrator, Path, Restricted};
+use halfdisk::lab::chapter::{Desk, DeskError, Number};
+use halfdisk::lab::effects::language::{Class, Finds, finds};
 use halfdisk::render::{Options, Rendered, render};
 use halfdisk::sampling::stream::Sampler;
 use halfdisk::scene::Scene;

@@ -1,11 +1,11 @@
 //! What a scene calls for, by reading it.
 
 use crate::FINAL;
-use halfdisk::desk::{Desk, DeskError};
-use halfdisk::effects::language::{Class, of_scene, out_of_reach};
-use halfdisk::effects::plan;
-use halfdisk::effects::words::words;
 use halfdisk::integrators::{Kajiya, Path, Restricted};
+use halfdisk::lab::chapter::{Desk, DeskError};
+use halfdisk::lab::effects::language::{Class, of_scene, out_of_reach};
+use halfdisk::lab::effects::plan;
+use halfdisk::lab::effects::words::words;
 use halfdisk::render::{Options, render};
 use halfdisk::scene::description::{Description, Light, Object, Shape};
 use halfdisk::scene::read::Source;

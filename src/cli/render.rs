@@ -7,12 +7,12 @@ use super::maps::Maps;
 use super::report::Report;
 use super::stop::{Ended, Ending};
 use super::{Stop, note_slow_build, stem, use_threads};
-use crate::desk::{Bar, on_ctrl_c, tell, whole};
-use crate::effects::measure::Setup;
 use crate::integrators::{
     self, Entry, Integrator, LADDER, Path as PathTracer, RarelyAsked, Restricted, Shows, VIEWS,
     rarely_asked,
 };
+use crate::lab::chapter::{Bar, on_ctrl_c, tell, whole};
+use crate::lab::effects::measure::Setup;
 use crate::output::{self, Display, Provenance};
 use crate::render::target::{Outcome, render_to};
 use crate::render::{self, Options, Rendered};

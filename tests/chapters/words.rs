@@ -1,8 +1,8 @@
 //! The chapters about words for light, and what they say of pictures.
 
 use super::{check, number};
-use halfdisk::effects::language::{everything, of_lamps};
 use halfdisk::integrators::{Integrator, Path, Restricted, Whitted};
+use halfdisk::lab::effects::language::{everything, of_lamps};
 use halfdisk::notation::Expression;
 use halfdisk::render::{Options, Picture, compare, render};
 use halfdisk::scene::{Scene, gallery};

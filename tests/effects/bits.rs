@@ -1,9 +1,9 @@
 //! Absent, compiled out, and forced on at no strength: the same bytes.
 
 use super::{FLOOR, LAMP, POINT, ball, effects, path, scene, small, with};
-use halfdisk::effects::plan::plan;
-use halfdisk::effects::without::Without;
 use halfdisk::integrators::{Kajiya, NextEvent, Path, Restricted, Whitted};
+use halfdisk::lab::effects::plan::plan;
+use halfdisk::lab::effects::without::Without;
 use halfdisk::notation::Expression;
 use halfdisk::output::{Display, Provenance, png_bytes};
 use halfdisk::render::Film;

@@ -2,12 +2,12 @@
 
 use super::{FLOOR, LAMP, POINT, path, scene, small, with};
 use crate::cli::{complaint, folder, halfdisk};
-use halfdisk::effects::by_class::by_class;
-use halfdisk::effects::language::{Class, Wanted, everything};
-use halfdisk::effects::measure::{Setup, difference};
-use halfdisk::effects::plan::{demand, plan};
-use halfdisk::effects::words::words;
 use halfdisk::integrators::{Path, Restricted};
+use halfdisk::lab::effects::by_class::by_class;
+use halfdisk::lab::effects::language::{Class, Wanted, everything};
+use halfdisk::lab::effects::measure::{Setup, difference};
+use halfdisk::lab::effects::plan::{demand, plan};
+use halfdisk::lab::effects::words::words;
 use halfdisk::notation::Expression;
 use halfdisk::render::{Options, render};
 use halfdisk::sampling::stream::Sampler;

@@ -4,7 +4,7 @@ use super::{room_with, scene};
 use glam::DVec3;
 use halfdisk::geometry::Ray;
 use halfdisk::integrators::{Entry, Integrator, Kajiya, Path, Roulette};
-use halfdisk::numeric::naive;
+use halfdisk::lab::naive;
 use halfdisk::render::{Film, Options, render};
 use halfdisk::sampling::stream::{Sampler, Stream};
 use halfdisk::scene::description::{Description, Shape};

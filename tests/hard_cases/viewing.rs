@@ -6,7 +6,7 @@ use glam::{DVec3, Mat3, Vec3};
 use halfdisk::camera::Camera;
 use halfdisk::geometry::{PreparedRay, Primitive, Ray, Sphere};
 use halfdisk::integrators::{Integrator, Normals, Path, Whitted};
-use halfdisk::numeric::naive;
+use halfdisk::lab::naive;
 use halfdisk::render::{Film, Options, render};
 use halfdisk::sampling::stream::Stream;
 use halfdisk::scene::description::Shape;
