@@ -93,6 +93,7 @@ fn what_a_description_leaves_out_is_a_scene_all_the_same() {
     object.transform.rotate = Some(Rotation::default());
     let scene = build(
         Description {
+            name: "defaults".to_owned(),
             environment: Some(Environment::default()),
             materials: [grey].into(),
             objects: vec![object],
@@ -106,6 +107,7 @@ fn what_a_description_leaves_out_is_a_scene_all_the_same() {
     assert_eq!(scene.lights.len(), 1);
 
     let world = flat_build::build(&flat::Description {
+        name: "defaults".to_owned(),
         probe: Some(flat::Probe::default()),
         window: Some(flat::Window::default()),
         materials: [("grey".to_owned(), flat::Material::default())].into(),
