@@ -21,7 +21,7 @@
 //! Each module uses only modules above it in this list; a test keeps it so.
 //!
 //! 1. [`numeric`]: care for floating point; [`color`]: a radiometric triple; [`notation`]: light
-//!    paths as words
+//!    paths as words; [`time`]: the clock
 //! 2. [`sampling`]: random numbers and what they are bent into; [`stats`]: estimates with errors
 //! 3. [`geometry`]: rays, shapes, the hierarchy that finds the closest hit; [`space`]: what a
 //!    dimension is, so that one source serves both
@@ -89,3 +89,4 @@ pub mod sampling;
 pub mod scene;
 pub mod space;
 pub mod stats;
+pub mod time;

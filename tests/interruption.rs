@@ -104,3 +104,18 @@ fn what_is_kept_of_an_estimator_is_a_design_of_fewer_replicates() {
     let nothing = converge_watched(&estimator, &design, &stop_after(0));
     assert!(nothing.is_none());
 }
+
+#[test]
+fn an_estimator_is_run_by_the_only_thread_there_is() {
+    let estimator = named::find("darts").unwrap();
+    let design = Design {
+        replicates: 8,
+        doublings: 4,
+        ..Design::default()
+    };
+    let watched = |stop| alone(|| converge_watched(&estimator, &design, &stop_after(stop)));
+    // Where the pool's thread waits for itself, this is asked for ever and stops without any run.
+    let all = watched(100).expect("runs before the wish to stop");
+    assert_eq!(all, converge(&estimator, &design));
+    assert_eq!(watched(3).map(|some| some.replicates), Some(3));
+}

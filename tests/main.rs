@@ -22,6 +22,7 @@ mod hard_cases;
 mod hit_or_miss;
 mod interruption;
 mod ladder;
+mod library;
 mod lights;
 mod materials;
 mod mistakes;

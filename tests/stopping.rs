@@ -12,6 +12,7 @@ use halfdisk::scene::gallery::{load, load_with};
 use halfdisk::scene::value::Albedo;
 use halfdisk::scene::{Scene, Tracer};
 use halfdisk::stats::Estimate;
+use halfdisk::time::Moment;
 use std::sync::atomic::{AtomicU64, Ordering};
 use std::time::{Duration, Instant};
 
@@ -45,7 +46,7 @@ impl Progress for Work {
     fn stop(&self) -> bool {
         false
     }
-    fn elapsed(&self, _: Instant) -> Duration {
+    fn elapsed(&self, _: Moment) -> Duration {
         Duration::from_millis(self.0.load(Ordering::Relaxed))
     }
 }
@@ -263,6 +264,36 @@ fn where_no_noise_is_seen_the_render_ends_and_claims_nothing() {
                     assert!(error.is_infinite() || i == 3, "{i}: {error} is no error");
                 }
             }
+        }
+    }
+}
+
+/// What every platform without a clock says of the time gone.
+struct NoClock;
+
+impl Progress for NoClock {
+    fn tell(&self, _: u64, _: u64) {}
+    fn stop(&self) -> bool {
+        false
+    }
+    fn elapsed(&self, _: Moment) -> Duration {
+        Duration::MAX
+    }
+}
+
+#[test]
+fn without_a_clock_time_is_up_after_one_sample() {
+    let scene = small("cornell", [8, 8]);
+    let time = Some(Duration::from_secs(3600));
+    for error in [None, Some(0.01)] {
+        for sampler in [Sampler::Independent, Sampler::Sobol] {
+            let goal = Goal {
+                error,
+                time,
+                ..Goal::default()
+            };
+            let outcome = render_to(&scene, &Path::new(5), &options(1, sampler), &goal, &NoClock);
+            assert_eq!((outcome.stopped_by, outcome.spp), (StoppedBy::Time, 1));
         }
     }
 }

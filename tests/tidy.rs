@@ -6,7 +6,7 @@ use std::path::{Path, PathBuf};
 
 /// The floors, from the ground up; modules of one floor may use each other. Drawings know no renderer.
 const FLOORS: &[&[&str]] = &[
-    &["numeric", "color", "notation"],
+    &["numeric", "color", "notation", "time"],
     &["sampling", "stats"],
     &["lab::drawing"],
     &["geometry", "space"],

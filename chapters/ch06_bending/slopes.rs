@@ -57,7 +57,7 @@ fn estimator(name: &str) -> Option<Estimator> {
         return named::find(name);
     }
     // The same lamp for the one recipe that has no name.
-    named::find("hemisphere-lamp-stratified").map(|stratified| Estimator {
+    named::find("hemisphere-lamp-stratified").map(|stratified| Estimator::<fn(u32, u64) -> f64> {
         name: STRATIFIED_COSINE,
         run: |samples, seed| {
             let gather = Gather {

@@ -43,6 +43,14 @@ pub struct Probe {
     pub normal: Pair,
 }
 
+/// On top of the unit circle.
+impl Default for Probe {
+    fn default() -> Self {
+        let up = Pair([0.0, 1.0]);
+        Probe { at: up, normal: up }
+    }
+}
+
 /// An upright rectangle of the plane.
 #[derive(Clone, Debug, Deserialize)]
 #[serde(deny_unknown_fields)]
@@ -53,8 +61,18 @@ pub struct Window {
     pub max: Pair,
 }
 
+/// What holds the unit circle.
+impl Default for Window {
+    fn default() -> Self {
+        Window {
+            min: Pair([-1.0; 2]),
+            max: Pair([1.0; 2]),
+        }
+    }
+}
+
 /// Ideal diffuse reflection, on both sides.
-#[derive(Clone, Debug, Deserialize)]
+#[derive(Clone, Debug, Default, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Material {
     /// Share of light reflected.
@@ -63,7 +81,7 @@ pub struct Material {
 
 /// Something with a surface: an albedo, by itself or by the name of a material, an emission, or
 /// both, and a shape.
-#[derive(Clone, Debug, Deserialize)]
+#[derive(Clone, Debug, Default, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Object {
     /// The name of a material.
@@ -105,6 +123,16 @@ pub enum Shape {
     },
 }
 
+/// The unit circle.
+impl Default for Shape {
+    fn default() -> Self {
+        Shape::Circle {
+            center: Pair::default(),
+            radius: Positive::default(),
+        }
+    }
+}
+
 /// A lamp without a surface.
 #[derive(Clone, Debug, Deserialize)]
 #[serde(rename = "kind of lamp", rename_all = "snake_case")]
@@ -117,4 +145,14 @@ pub enum Lamp {
         /// In W, over all directions.
         power: Emission,
     },
+}
+
+/// A point at the origin.
+impl Default for Lamp {
+    fn default() -> Self {
+        Lamp::Point {
+            position: Pair::default(),
+            power: Emission::default(),
+        }
+    }
 }

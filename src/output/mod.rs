@@ -181,7 +181,10 @@ pub fn write_somewhere(
             let refused = None;
             return Ok(Kept { path, refused });
         }
-        Err(OutputError::File(name, error)) => (name, error),
+        // A platform without files, as the web is, has no such folder either.
+        Err(OutputError::File(name, error)) if error.kind() != io::ErrorKind::Unsupported => {
+            (name, error)
+        }
         Err(other) => return Err(other),
     };
     let stem = path.file_stem().unwrap_or_default();

@@ -1,11 +1,12 @@
 //! The time that a render may take.
 
 use super::Progress;
-use std::time::{Duration, Instant};
+use crate::time::Moment;
+use std::time::Duration;
 
 /// Says when time is up, by the clock of who watches.
 pub(super) struct Clock<'a> {
-    start: Instant,
+    start: Moment,
     time: Duration,
     progress: &'a dyn Progress,
     /// True where the first pass over the picture is finished though time is up.
@@ -16,7 +17,7 @@ impl<'a> Clock<'a> {
     /// Starts now; time is up after `time`, but not before each pixel has a sample.
     pub fn new(time: Duration, progress: &'a dyn Progress) -> Self {
         Clock {
-            start: Instant::now(),
+            start: Moment::now(),
             time,
             progress,
             waits: true,

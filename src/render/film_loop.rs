@@ -9,10 +9,11 @@ use super::{BadSample, Film, Pixel};
 use crate::integrators::Integrator;
 use crate::sampling::stream::{EVEN_SAMPLES, Purpose, Sampler, even_run};
 use crate::scene::{RayCounts, Scene};
+use crate::time::Moment;
 use rayon::prelude::*;
 use std::ops::Range;
 use std::sync::atomic::{AtomicBool, AtomicU64, Ordering};
-use std::time::{Duration, Instant};
+use std::time::Duration;
 
 /// How to render.
 #[derive(Clone, Copy, Debug)]
@@ -49,7 +50,7 @@ pub struct Rendered {
     pub film: Film,
     /// Rays traced.
     pub rays: RayCounts,
-    /// Time spent in the pixel loop.
+    /// Time spent in the pixel loop; zero where there is no clock.
     pub time: Duration,
     /// Samples that came out as NaN or infinity. They are in no mean, and never painted over.
     pub non_finite: u64,
@@ -156,7 +157,7 @@ impl<'a, R: Recorder + ?Sized> Session<'a, R> {
     /// Samples are taken in passes of 1, 1, 2, 4 … 64, 64 … over the whole picture, so that an
     /// interrupted render is a picture everywhere.
     pub fn advance(&mut self, spp: u32, progress: &dyn Progress) {
-        let start = Instant::now();
+        let start = Moment::now();
         let (scene, recorder, options) = (self.scene, self.recorder, &self.options);
         let pixels = u64::from(scene.size[0]) * u64::from(scene.size[1]);
         let total = pixels * u64::from(spp.max(options.spp));
@@ -176,7 +177,7 @@ impl<'a, R: Recorder + ?Sized> Session<'a, R> {
             });
         }
         self.spp = self.spp.max(spp);
-        self.time += start.elapsed();
+        self.time += start.elapsed().unwrap_or_default();
         self.interrupted = interrupted.into_inner();
     }
 
@@ -205,7 +206,7 @@ impl<'a, R: Recorder + ?Sized> Session<'a, R> {
             self.advance(1, progress);
             clock.tell();
         }
-        let start = Instant::now();
+        let start = Moment::now();
         let (scene, recorder, options) = (self.scene, self.recorder, &self.options);
         let stop = || clock.late() || progress.stop();
         let mut late = false;
@@ -232,7 +233,7 @@ impl<'a, R: Recorder + ?Sized> Session<'a, R> {
             }
             clock.tell();
         }
-        self.time += start.elapsed();
+        self.time += start.elapsed().unwrap_or_default();
         late
     }
 
@@ -241,7 +242,7 @@ impl<'a, R: Recorder + ?Sized> Session<'a, R> {
         self.spp
     }
 
-    /// Time spent in the pixel loop so far.
+    /// Time spent in the pixel loop so far; zero where there is no clock.
     pub fn time(&self) -> Duration {
         self.time
     }

@@ -1,7 +1,8 @@
 //! Who watches a render.
 
 use super::goal::{Pilot, Prediction, Reached};
-use std::time::{Duration, Instant};
+use crate::time::Moment;
+use std::time::Duration;
 
 /// What is told while a render runs, and how it is stopped.
 pub trait Progress: Sync {
@@ -9,9 +10,10 @@ pub trait Progress: Sync {
     fn tell(&self, done: u64, total: u64);
     /// True to stop soon and keep what is there.
     fn stop(&self) -> bool;
-    /// The time gone since `start`. Who watches may have a clock of their own, which never goes back.
-    fn elapsed(&self, start: Instant) -> Duration {
-        start.elapsed()
+    /// The time gone since `start`. Who watches may have a clock of their own, which never goes back. On
+    /// the web they must: without a clock, any time is up at once.
+    fn elapsed(&self, start: Moment) -> Duration {
+        start.elapsed().unwrap_or(Duration::MAX)
     }
     /// A pilot got so far.
     fn piloted(&self, _: &Pilot) {}

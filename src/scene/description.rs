@@ -88,15 +88,6 @@ pub struct Render {
     pub spp: Whole<1, 16_777_216>,
 }
 
-impl Default for Render {
-    fn default() -> Self {
-        Render {
-            max_depth: Whole(12),
-            spp: Whole(64),
-        }
-    }
-}
-
 /// A camera: a pinhole, unless it has a lens.
 #[derive(Clone, Debug, Deserialize)]
 #[serde(deny_unknown_fields)]
@@ -106,7 +97,7 @@ pub struct Camera {
     /// A point it looks at.
     pub to: Triple,
     /// A direction that is up in the picture.
-    #[serde(default = "up")]
+    #[serde(default)]
     pub up: Direction,
     /// Full angle across the image height.
     pub fov: Fov,
@@ -120,37 +111,12 @@ pub struct Camera {
     pub shutter: Shutter,
 }
 
-/// A pinhole at the origin that looks along `-z`.
-impl Default for Camera {
-    fn default() -> Self {
-        Camera {
-            from: Triple([0.0; 3]),
-            to: Triple([0.0, 0.0, -1.0]),
-            up: up(),
-            fov: Fov(40.0),
-            lens_radius: NotNegative(0.0),
-            focus: None,
-            shutter: Shutter([0.0; 2]),
-        }
-    }
-}
-
-fn up() -> Direction {
-    Direction([0.0, 1.0, 0.0])
-}
-
 /// The film.
 #[derive(Clone, Debug, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Film {
     /// Width and height in pixels.
     pub size: [i64; 2],
-}
-
-impl Default for Film {
-    fn default() -> Self {
-        Film { size: [256, 256] }
-    }
 }
 
 /// A material.
@@ -196,7 +162,7 @@ pub enum Material {
         /// Share refracted.
         kt: Textured<Albedo>,
         /// Index of refraction behind the surface.
-        #[serde(default = "usual_glass")]
+        #[serde(default)]
         ior: Ior,
     },
     /// One's own, which no file can name.
@@ -218,12 +184,8 @@ impl Material {
     }
 }
 
-fn usual_glass() -> Ior {
-    Ior(1.5)
-}
-
 /// Something with a surface: a material, an emission or both, and a shape.
-#[derive(Clone, Debug, Deserialize)]
+#[derive(Clone, Debug, Default, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Object {
     /// The name of a material; without one the surface absorbs everything.
@@ -247,18 +209,14 @@ impl From<Shape> for Object {
     /// The shape where it is, neither made of anything nor shining.
     fn from(shape: Shape) -> Self {
         Object {
-            material: None,
-            emits: None,
-            two_sided: None,
-            transform: Transform::default(),
-            motion: Triple::default(),
             shape,
+            ..Object::default()
         }
     }
 }
 
 /// Scale first, then rotation, then translation.
-#[derive(Clone, Debug, Deserialize)]
+#[derive(Clone, Debug, Default, Deserialize)]
 #[serde(default, deny_unknown_fields)]
 pub struct Transform {
     /// One factor, or one for each axis.
@@ -269,18 +227,8 @@ pub struct Transform {
     pub translate: Triple,
 }
 
-impl Default for Transform {
-    fn default() -> Self {
-        Transform {
-            scale: Scale([1.0; 3]),
-            rotate: None,
-            translate: Triple::default(),
-        }
-    }
-}
-
 /// A rotation about an axis through the origin, counter-clockwise seen from the axis' tip.
-#[derive(Clone, Debug, Deserialize)]
+#[derive(Clone, Debug, Default, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Rotation {
     /// The axis.
@@ -374,7 +322,7 @@ pub enum Light {
 }
 
 /// What is seen beyond the scene.
-#[derive(Clone, Debug, Deserialize)]
+#[derive(Clone, Debug, Default, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Environment {
     /// Where its light comes from.

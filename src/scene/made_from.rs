@@ -4,9 +4,10 @@ use super::Scene;
 use super::build::assemble;
 use super::description::Description;
 use super::read::{SceneError, Source};
+use crate::time::Moment;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
-use std::time::{Duration, Instant};
+use std::time::Duration;
 
 /// A description, and the file that it was read from.
 #[derive(Clone, Debug)]
@@ -24,12 +25,12 @@ pub(super) struct MadeFrom {
 impl MadeFrom {
     /// Reads a text.
     pub(super) fn new(source: Source, folder: Option<&Path>) -> Result<Self, SceneError> {
-        let start = Instant::now();
+        let start = Moment::now();
         let described = MadeFrom::described(source.parse()?, folder);
         Ok(MadeFrom {
             file: source.file.to_owned(),
             text: source.text.to_owned(),
-            reading: start.elapsed(),
+            reading: start.elapsed().unwrap_or_default(),
             ..described
         })
     }
@@ -52,7 +53,7 @@ impl MadeFrom {
         mut self,
         change: impl FnOnce(&mut Description),
     ) -> Result<Scene, SceneError> {
-        let start = Instant::now();
+        let start = Moment::now();
         change(&mut self.description);
         let from = Arc::new(self);
         let source = Source {
@@ -60,7 +61,7 @@ impl MadeFrom {
             text: &from.text,
         };
         let mut scene = assemble(&from).map_err(|problem| source.locate(&problem))?;
-        scene.report.time = from.reading + start.elapsed();
+        scene.report.time = from.reading + start.elapsed().unwrap_or_default();
         Ok(scene)
     }
 }

@@ -9,6 +9,7 @@ mod brightest;
 pub mod build;
 mod caustic_guide;
 mod contacts;
+mod defaults;
 pub mod description;
 mod effects;
 pub mod field;

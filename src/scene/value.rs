@@ -10,9 +10,10 @@ use serde::{Deserialize, Deserializer, de};
 use std::convert::identity;
 use std::ops::RangeInclusive;
 
-/// Types with what they are read from, what they hold, and the rule that makes of it what they stand for.
+/// Types with what they hold if nothing is said, what they are read from, and the rule that makes of it what
+/// they stand for.
 macro_rules! values {
-    ($($(#[$about:meta])* $name:ident($of:ty) by $read:expr; $value:ident -> $good:ty $rule:block)*) => {$(
+    ($($(#[$about:meta])* $name:ident($of:ty) = $usual:expr, by $read:expr; $value:ident -> $good:ty $rule:block)*) => {$(
         $(#[$about])*
         #[derive(Clone, Copy, Debug, PartialEq)]
         pub struct $name(pub $of);
@@ -22,6 +23,12 @@ macro_rules! values {
             pub fn get(self) -> Checked<$good> {
                 let $value = self.0;
                 $rule
+            }
+        }
+
+        impl Default for $name {
+            fn default() -> Self {
+                $name($usual)
             }
         }
 
@@ -36,61 +43,60 @@ macro_rules! values {
 
 values! {
     /// A number that `f32` can hold.
-    Finite(f64) by identity::<f64>; x -> f64 {
+    Finite(f64) = 0.0, by identity::<f64>; x -> f64 {
         let finite = (x as f32).is_finite();
         check(finite, format_args!("must be a finite number of at most 3.4e38, not {x}")).map(|()| x)
     }
 
     /// A number above zero, also after rounding to `f32`.
-    Positive(f64) by identity::<f64>; x -> f64 {
+    Positive(f64) = 1.0, by identity::<f64>; x -> f64 {
         let above = Finite(x).get()? as f32 > 0.0;
         check(above, format_args!("must be greater than 0, not {x}")).map(|()| x)
     }
 
     /// A number that is zero or more in `f64`; smaller than `f32` can tell from zero is zero.
-    #[derive(Default)]
-    NotNegative(f64) by identity::<f64>; x -> f64 {
+    NotNegative(f64) = 0.0, by identity::<f64>; x -> f64 {
         check(Finite(x).get()? >= 0.0, format_args!("must be 0 or more, not {x}")).map(|()| x)
     }
 
     /// An angle of view in degrees; what it stands for is in radians.
-    Fov(f64) by identity::<f64>; x -> f64 {
+    Fov(f64) = 40.0, by identity::<f64>; x -> f64 {
         let what = format_args!("must be an angle between 0 and 180 degrees, not {x}");
         check(x > 0.0 && x < 180.0, what).map(|()| x.to_radians())
     }
 
-    /// An index of refraction.
-    Ior(f64) by identity::<f64>; x -> f32 {
+    /// An index of refraction; usual glass, if nothing is said.
+    Ior(f64) = 1.5, by identity::<f64>; x -> f32 {
         let what = format_args!("must be between 0.1 and 10, not {x}");
         check((0.1..=10.0).contains(&x), what).map(|()| x as f32)
     }
 
     /// The roughness α of microfacets, in `(0, 1]`.
-    Roughness(f64) by identity::<f64>; x -> f32 {
+    Roughness(f64) = 0.5, by identity::<f64>; x -> f32 {
         let smooth = "perfectly smooth surfaces are `mirror` and `glass`";
         let what = format_args!("must be greater than 0 and at most 1, not {x}; {smooth}");
         check(x > 0.0 && x <= 1.0, what).map(|()| x as f32)
     }
 
     /// A share of light: each channel in `[0, 1]`.
-    Albedo([f64; 3]) by Color::rgb; rgb -> Rgb {
+    Albedo([f64; 3]) = [0.5; 3], by Color::rgb; rgb -> Rgb {
         channels(rgb, 0.0..=1.0, "between 0 and 1")
     }
 
     /// An amount of light that may be zero: each channel finite and not negative.
-    Radiance([f64; 3]) by Color::rgb; rgb -> Rgb {
+    Radiance([f64; 3]) = [0.0; 3], by Color::rgb; rgb -> Rgb {
         channels(rgb, 0.0..=f64::MAX, "0 or more")
     }
 
     /// An amount of light that something gives: each channel finite and not negative, not all zero.
-    Emission([f64; 3]) by Color::rgb; rgb -> Rgb {
+    Emission([f64; 3]) = [1.0; 3], by Color::rgb; rgb -> Rgb {
         let light = Radiance(rgb).get()?;
         let what = "gives no light at all; leave the light out, or make it shine";
         check(!light.is_black(), what).map(|()| light)
     }
 
     /// Factors along the axes: as `f32`, like every other length, not zero.
-    Scale([f64; 3]) by Factors::xyz; factors -> DVec3 {
+    Scale([f64; 3]) = [1.0; 3], by Factors::xyz; factors -> DVec3 {
         let scale = Triple(factors).get()?;
         let flat = scale.as_vec3().cmpeq(Vec3::ZERO).any();
         let what = "must not be 0 along any axis: the shape would have no volume left";
@@ -98,7 +104,7 @@ values! {
     }
 
     /// How often something is repeated in two directions.
-    Repeat([f64; 2]) by Two::uv; times -> DVec2 {
+    Repeat([f64; 2]) = [1.0; 2], by Two::uv; times -> DVec2 {
         for (x, name) in times.into_iter().zip(["u", "v"]) {
             check(Positive(x).get().is_ok(), format_args!("must be greater than 0 along {name}, not {x}"))?;
         }
@@ -106,26 +112,23 @@ values! {
     }
 
     /// A point or a vector in space whose coordinates `f32` can hold.
-    #[derive(Default)]
-    Triple([f64; 3]) by plain; xyz -> DVec3 {
+    Triple([f64; 3]) = [0.0; 3], by plain; xyz -> DVec3 {
         finite(xyz).map(DVec3::from)
     }
 
     /// A point or a vector in the plane whose coordinates `f32` can hold.
-    #[derive(Default)]
-    Pair([f64; 2]) by plain; xy -> DVec2 {
+    Pair([f64; 2]) = [0.0; 2], by plain; xy -> DVec2 {
         finite(xy).map(DVec2::from)
     }
 
-    /// A vector that points somewhere; what it stands for has length 1.
-    Direction([f64; 3]) by plain; xyz -> DVec3 {
+    /// A vector that points somewhere, up if nothing is said; what it stands for has length 1.
+    Direction([f64; 3]) = [0.0, 1.0, 0.0], by plain; xyz -> DVec3 {
         let along = finite(xyz).map(DVec3::from)?.try_normalize();
         along.ok_or_else(|| Problem::new("must not be [0, 0, 0]: it is a direction"))
     }
 
     /// When a shutter opens and when it closes.
-    #[derive(Default)]
-    Shutter([f64; 2]) by plain; times -> [f64; 2] {
+    Shutter([f64; 2]) = [0.0; 2], by plain; times -> [f64; 2] {
         let [open, close] = finite(times)?;
         let what = format_args!("must not close before it opens, but opens at {open} and closes at {close}");
         check(open <= close, what).map(|()| times)
@@ -166,12 +169,6 @@ struct Color(f64, f64, f64);
 impl Color {
     fn rgb(self) -> [f64; 3] {
         [self.0, self.1, self.2]
-    }
-}
-
-impl Default for Repeat {
-    fn default() -> Self {
-        Repeat([1.0; 2])
     }
 }
 

@@ -2,6 +2,7 @@
 
 use super::study::{Study, seed_of};
 use crate::render::Progress;
+use crate::sampling::stream::{Numbers, Purpose, Stream};
 use crate::stats::slope::{Fit, Insufficient};
 use crate::stats::{Estimate, Measurement};
 use rayon::prelude::*;
@@ -14,7 +15,7 @@ use std::time::Duration;
 
 /// An estimator with a name and a known truth.
 #[derive(Clone, Copy, Debug, Serialize)]
-pub struct Estimator {
+pub struct Estimator<F = fn(u32, u64) -> f64> {
     /// Its name.
     pub name: &'static str,
     /// What it does, in a sentence.
@@ -28,11 +29,33 @@ pub struct Estimator {
     pub sizes: Sizes,
     /// The estimate after `n` samples, a pure function of `n` and the seed.
     #[serde(skip)]
-    pub run: fn(n: u32, seed: u64) -> f64,
+    pub run: F,
+}
+
+impl Estimator {
+    /// An estimator of your own: its estimate after `n` samples, by random numbers that no other run has. It
+    /// may be run on several threads at once.
+    pub fn new(
+        name: &'static str,
+        truth: f64,
+        estimate: impl Fn(&mut Numbers, u32) -> f64 + Clone,
+    ) -> Estimator<impl Fn(u32, u64) -> f64 + Clone> {
+        Estimator {
+            name,
+            about: "",
+            truth,
+            rays_per_sample: 1,
+            sizes: Sizes::Doublings,
+            run: move |n, seed| {
+                let stream = Stream::new(seed, 0, 0);
+                estimate(&mut stream.at(0, Purpose::Integrand), n)
+            },
+        }
+    }
 }
 
 /// Its line in a list.
-impl Display for Estimator {
+impl<F> Display for Estimator<F> {
     fn fmt(&self, f: &mut Formatter) -> fmt::Result {
         writeln!(f, "{:<27} {}", self.name, self.about)
     }
@@ -147,7 +170,10 @@ impl Sizes {
 }
 
 /// Runs an estimator as designed, on all threads; their number changes no bit.
-pub fn converge(estimator: &Estimator, design: &Design) -> Convergence {
+pub fn converge(
+    estimator: &Estimator<impl Fn(u32, u64) -> f64 + Sync>,
+    design: &Design,
+) -> Convergence {
     let sizes = estimator.sizes.list(design);
     let runs = (0..design.replicates).into_par_iter();
     let runs = runs
@@ -163,9 +189,10 @@ const OFTEN: Duration = Duration::from_millis(50);
 /// the first replicates gives, as many as are finished without a gap; nothing where there are none.
 ///
 /// The runs are left to the threads of the pool: one may take minutes, and nobody waits for it after
-/// the wish to stop. So this is not to be called on a thread of the pool.
+/// the wish to stop. Only who calls from a thread of the pool does them there, for it may have no other:
+/// it has none on the web.
 pub fn converge_watched(
-    estimator: &Estimator,
+    estimator: &Estimator<impl Fn(u32, u64) -> f64 + Clone + Send + Sync + 'static>,
     design: &Design,
     progress: &impl Progress,
 ) -> Option<Convergence> {
@@ -174,9 +201,16 @@ pub fn converge_watched(
     let next = AtomicU32::new(0);
     let count = design.replicates;
     let one = {
-        let (estimator, design, sizes) = (*estimator, *design, sizes.clone());
+        let (estimator, design, sizes) = (estimator.clone(), *design, sizes.clone());
         move |r| replicate(&estimator, &design, &sizes, r)
     };
+    let tell = |done| progress.tell(done, u64::from(count));
+    // On the web it is this question that starts the pool, whose only thread is then the one that asks.
+    if rayon::current_num_threads() > 0 && rayon::current_thread_index().is_some() {
+        let wanted = (0..count).take_while(|_| !progress.stop());
+        let runs = wanted.map(one).zip(1..).inspect(|(_, done)| tell(*done));
+        return kept(estimator, sizes, runs.map(|(row, _)| row).collect());
+    }
     // Handed out in the order of their numbers, so that there are few gaps.
     rayon::spawn_broadcast(move |_| {
         loop {
@@ -192,18 +226,28 @@ pub fn converge_watched(
         match finished.recv_timeout(OFTEN) {
             Ok((r, row)) => {
                 errors.insert(r, row);
-                progress.tell(errors.len() as u64, u64::from(design.replicates));
+                tell(errors.len() as u64);
             }
             Err(RecvTimeoutError::Timeout) => {}
             Err(RecvTimeoutError::Disconnected) => break,
         }
     }
-    let runs: Vec<_> = (0..).map_while(|r| errors.remove(&r)).collect();
+    let runs = (0..).map_while(|r| errors.remove(&r)).collect();
+    kept(estimator, sizes, runs)
+}
+
+/// What the replicates amount to, if there are any.
+fn kept<F>(estimator: &Estimator<F>, sizes: Vec<u32>, runs: Vec<Vec<f64>>) -> Option<Convergence> {
     (!runs.is_empty()).then(|| gathered(estimator, Study { sizes, runs }))
 }
 
 /// The errors of one replicate at each size, every run under a seed that no other has.
-fn replicate(estimator: &Estimator, design: &Design, sizes: &[u32], r: u32) -> Vec<f64> {
+fn replicate(
+    estimator: &Estimator<impl Fn(u32, u64) -> f64>,
+    design: &Design,
+    sizes: &[u32],
+    r: u32,
+) -> Vec<f64> {
     let run = |(k, &n): (usize, &u32)| {
         let seed = seed_of(design.seed, r, k as u64);
         (estimator.run)(n, seed) - estimator.truth
@@ -212,7 +256,7 @@ fn replicate(estimator: &Estimator, design: &Design, sizes: &[u32], r: u32) -> V
 }
 
 /// What the errors of all replicates and sizes amount to.
-fn gathered(estimator: &Estimator, errors: Study<f64>) -> Convergence {
+fn gathered<F>(estimator: &Estimator<F>, errors: Study<f64>) -> Convergence {
     let square = |e: &f64| e * e;
     let size = |(k, &samples): (usize, &u32)| {
         let bias: Estimate = errors.at(k, |e| *e);

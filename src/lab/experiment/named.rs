@@ -12,7 +12,7 @@ use std::f64::consts::PI;
 /// Estimators: name, what it does, truth, sizes, and the estimate.
 macro_rules! estimators {
     ($($name:expr, $about:expr, $truth:expr, $sizes:ident, $run:expr;)*) => {
-        vec![$(Estimator {
+        vec![$(Estimator::<fn(u32, u64) -> f64> {
             name: $name,
             about: $about,
             truth: $truth,

@@ -2,10 +2,10 @@
 
 use super::study::order;
 use crate::stats::Estimate;
+use crate::time::Moment;
 use std::hint::black_box;
-use std::time::Instant;
 
-/// The time of `b` over the time of `a`: one ratio for each round.
+/// The time of `b` over the time of `a`: one ratio for each round; NaN where there is no clock.
 ///
 /// Each round times both, in alternating order, so that what slows the machine for a while slows both;
 /// of all rounds the middle half is kept, for some are interrupted.
@@ -14,9 +14,9 @@ pub fn in_turns<A, B>(rounds: u32, a: impl Fn() -> A, b: impl Fn() -> B) -> Esti
     let ratio = |round| {
         let mut seconds = [0.0; 2];
         for i in order(round, 2) {
-            let start = Instant::now();
+            let start = Moment::now();
             work[i]();
-            seconds[i] = start.elapsed().as_secs_f64();
+            seconds[i] = start.elapsed().map_or(f64::NAN, |time| time.as_secs_f64());
         }
         seconds[1] / seconds[0].max(f64::MIN_POSITIVE)
     };

@@ -38,11 +38,13 @@ pub fn pilot_seed(seed: u64) -> u64 {
 }
 
 /// Why a pilot says nothing.
-#[derive(Debug)]
+#[derive(Debug, thiserror::Error)]
 pub enum Unfinished {
     /// Time was up before it could tell its error.
+    #[error("time was up before the pilot could tell its error")]
     Late,
     /// Somebody stopped it; its picture is kept.
+    #[error("the pilot was stopped before it could tell its error")]
     Stopped(Box<Rendered>),
 }
 

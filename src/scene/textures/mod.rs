@@ -30,6 +30,12 @@ pub enum Textured<C> {
     Image(Image),
 }
 
+impl<C: Default> Default for Textured<C> {
+    fn default() -> Self {
+        C::default().into()
+    }
+}
+
 impl<C> From<C> for Textured<C> {
     fn from(color: C) -> Self {
         Textured::Constant(color)
