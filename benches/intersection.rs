@@ -55,7 +55,7 @@ fn shapes(c: &mut Criterion) {
         .map(PreparedRay::from)
         .collect();
     for (name, shape) in kinds(Vec3::ZERO) {
-        let cross = |ray| shape.cross(ray, f32::MAX).is_some();
+        let cross = |ray| shape.intersect(ray, f32::MAX).is_some();
         group.bench_function(name, |b| {
             b.iter(|| rays.iter().filter(|r| cross(r)).count())
         });
@@ -84,10 +84,10 @@ fn trees(c: &mut Criterion) {
             });
         });
         group.bench_function(format!("{count} shapes, first"), |b| {
-            b.iter(|| rays.iter().filter(|r| tree.first(r).is_some()).count());
+            b.iter(|| rays.iter().filter(|r| tree.first_hit(r).is_some()).count());
         });
         group.bench_function(format!("{count} shapes, any"), |b| {
-            b.iter(|| rays.iter().filter(|r| tree.any(r)).count());
+            b.iter(|| rays.iter().filter(|r| tree.occluded(r)).count());
         });
         let moving: Vec<Moving> = shapes
             .iter()
@@ -97,7 +97,7 @@ fn trees(c: &mut Criterion) {
         group.bench_function(format!("{count} moving shapes, first"), |b| {
             b.iter(|| {
                 rays.iter()
-                    .filter(|r| tree.first(&r.at_time(0.5)).is_some())
+                    .filter(|r| tree.first_hit(&r.at_time(0.5)).is_some())
                     .count()
             });
         });

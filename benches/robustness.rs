@@ -5,7 +5,7 @@
 #![allow(missing_docs)]
 
 use criterion::{Criterion, Throughput};
-use halfdisk::experiment::robustness::{Pair, pairs};
+use halfdisk::lab::experiment::robustness::{Pair, pairs};
 use serde_json::Value;
 use std::path::Path;
 use std::time::SystemTime;

@@ -7,7 +7,7 @@
 //! `--features flip` (and a C++ compiler) the perceptual difference FLIP is there, too.
 
 use clap::Parser;
-use halfdisk::desk::{answer, tell};
+use halfdisk::lab::chapter::{answer, tell};
 use halfdisk::output::save;
 use halfdisk::render::accuracy::Scale;
 use halfdisk::render::{Picture, compare};

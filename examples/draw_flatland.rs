@@ -5,8 +5,8 @@
 
 #![allow(clippy::print_stdout)]
 
-use halfdisk::figures::flat;
 use halfdisk::flatland::{frame, load};
+use halfdisk::lab::figures::flat;
 use halfdisk::sampling::half_disk;
 use halfdisk::sampling::stream::{Purpose, Stream};
 use std::error::Error;

@@ -6,10 +6,10 @@
 //! ```
 
 use clap::Parser;
-use halfdisk::desk::{Bar, answer, on_ctrl_c, tell};
 use halfdisk::integrators::Path;
+use halfdisk::lab::chapter::{Bar, answer, on_ctrl_c, tell};
 use halfdisk::render::accuracy::{Accuracy, Measure, true_error};
-use halfdisk::render::target::{Goal, Outcome, Prediction, render_to};
+use halfdisk::render::stopping::{Goal, Outcome, Prediction, render_to};
 use halfdisk::render::{Film, Options, render};
 use halfdisk::sampling::stream::Sampler;
 use halfdisk::scene::{Scene, gallery};

@@ -4,9 +4,9 @@
 
 #![allow(clippy::print_stdout)]
 
-use halfdisk::experiment::convergence::{Convergence, Design, converge};
-use halfdisk::experiment::named;
-use halfdisk::figures::convergence_chart;
+use halfdisk::lab::experiment::convergence::{Convergence, Design, converge};
+use halfdisk::lab::experiment::named;
+use halfdisk::lab::figures::convergence_chart;
 use std::error::Error;
 
 const NAMES: [&str; 3] = ["half-disk", "half-disk-stratified", "half-disk-literal"];

@@ -4,8 +4,8 @@
 
 #![allow(clippy::print_stdout)]
 
-use halfdisk::estimators::doctor::{Patient, examine};
-use halfdisk::experiment::convergence::{Convergence, Design, Estimator, converge};
+use halfdisk::lab::doctor::{Patient, examine};
+use halfdisk::lab::experiment::convergence::{Convergence, Design, Estimator, converge};
 use halfdisk::sampling::half_disk;
 use halfdisk::space::{Flat, Space};
 

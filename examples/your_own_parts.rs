@@ -6,7 +6,7 @@
 
 use glam::{DVec3, Vec3};
 use halfdisk::color::Rgb;
-use halfdisk::geometry::{Aabb, Crossing, InstancedShape, Ray, Surface};
+use halfdisk::geometry::{Aabb, InstancedShape, Intersection, Ray, Surface};
 use halfdisk::integrators::Path;
 use halfdisk::lights::{Arrival, CustomLight};
 use halfdisk::materials::CustomBsdf;
@@ -28,16 +28,16 @@ impl InstancedShape for Disk {
         Aabb::of([Vec3::new(-1.0, -1.0, 0.0), Vec3::new(1.0, 1.0, 0.0)])
     }
 
-    fn intersect(&self, ray: &Ray) -> Option<Crossing> {
+    fn intersect(&self, ray: &Ray) -> Option<Intersection> {
         let t = -ray.origin.z / ray.direction.z;
         let p = ray.at(t);
         let inside = p.x * p.x + p.y * p.y <= 1.0;
         // The texture runs once across the disk.
         let [u, v] = [p.x, p.y].map(|x| 0.5 + 0.5 * x);
-        (inside && t > 0.0 && t <= ray.t_max).then(|| Crossing::new(t, u, v))
+        (inside && t > 0.0 && t <= ray.t_max).then(|| Intersection::new(t, u, v))
     }
 
-    fn surface(&self, ray: &Ray, hit: Crossing) -> Surface {
+    fn surface(&self, ray: &Ray, hit: Intersection) -> Surface {
         let p = ray.at(hit.t);
         Surface {
             // On the disk for sure: nothing is rounded across it.
@@ -181,7 +181,7 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
         ..Options::default()
     };
     let rendered = render(&scene, &Path::new(6), &options, &());
-    let facts = Provenance::new(&scene, "path", 6, options.spp, options.seed);
+    let facts = Provenance::new(&scene, "path", 6, options.spp.into(), options.seed);
     let path = std::path::Path::new("out/your_own_parts.png");
     output::write(path, &rendered.film, Display::Radiance, &facts)?;
     println!("{}", path.display());

@@ -23,21 +23,19 @@
 //! 1. [`numeric`]: care for floating point; [`color`]: a radiometric triple; [`notation`]: light
 //!    paths as words; [`time`]: the clock
 //! 2. [`sampling`]: random numbers and what they are bent into; [`stats`]: estimates with errors
-//! 3. [`chart`]: curves, bars, maps, trees and ray drawings, of anything
-//! 4. [`geometry`]: rays, shapes, the hierarchy that finds the first hit; [`space`]: what a
+//! 3. [`geometry`]: rays, shapes, the hierarchy that finds the closest hit; [`space`]: what a
 //!    dimension is, so that one source serves both
-//! 5. [`materials`], [`lights`], [`camera`]
-//! 6. [`scene`]: from a file to something rays can meet; [`flatland`]: the same in the flat world
-//! 7. [`integrators`]: the stages of the algorithm, side by side
-//! 8. [`render`]: the pixel loop and the film; [`output`]: pictures as files
-//! 9. [`effects`]: what a scene calls for, its light paths, and what leaving one out saves
-//! 10. [`estimators`]: smaller questions than a picture
-//! 11. [`experiment`]: repeated runs that end in data
-//! 12. [`figures`]: from what was measured to charts; [`ledger`]: what a run cost and gained;
-//!     [`desk`]: what every chapter shares
-//! 13. [`cli`]: the command
+//! 4. [`materials`]: materials, and the BSDF at a point; [`lights`]; [`camera`]
+//! 5. [`scene`]: from a file to something rays can intersect; [`flatland`]: the same in the flat world
+//! 6. [`integrators`]: the stages of the algorithm, side by side, in any [`integrators::world::World`]
+//! 7. [`render`]: the pixel loop and the film; [`output`]: pictures as files
+//! 8. [`lab`]: the laboratory, which the modules above never use: [`lab::effects`], what a scene calls
+//!    for; [`lab::estimators`], smaller questions than a picture; [`lab::mistakes`] and [`lab::doctor`],
+//!    wrong estimators and how to tell them; [`lab::experiment`], repeated runs that end in data;
+//!    [`lab::drawing`] and [`lab::figures`], charts; [`lab::chapter`] and [`lab::ledger`], what chapters share
+//! 9. [`cli`]: the command
 //!
-//! [`chart`], [`figures`], [`ledger`], [`desk`] and [`cli`] belong to the feature `programs`, which is on
+//! The charts, what chapters share, and the command belong to the feature `programs`, which is on
 //! unless `default-features = false` is said: then the library is the renderer alone, reads and
 //! writes no EXR, and needs none of the crates for commands and charts.
 //!
@@ -48,10 +46,15 @@
 //! | `wo` | unit direction towards the eye, leaving the surface |
 //! | `wi` | unit direction towards the light, leaving the surface |
 //! | `n` | unit normal of a surface, on its front side |
+//! | interaction | what a ray met: the point, its BSDF, its emission; the closest hit, looked at once |
 //! | `f` | BSDF in 1/sr, **without** the cosine |
 //! | `pdf` | probability density in 1/sr; `pdf_area` in 1/m² |
 //! | `li` | incoming radiance in W/(m² sr) |
 //! | `beta` | throughput: the product of `f cos / pdf` along a path so far |
+//! | BSDF sampling | `sample_bsdf`: the next direction of a path, drawn as the surface scatters |
+//! | next-event estimation | `sample_light` and a shadow ray: light straight from a light source |
+//! | MIS | multiple importance sampling: both, each weighted by the densities of both |
+//! | `rr` | Russian roulette |
 //! | `u` | uniforms in `[0, 1)`: multiples of 2^-24 where a point is drawn, of 2^-53 where one of many is chosen |
 //! | `spp` | samples per pixel |
 //! | depth | path segments, the camera ray first, the one that ends on the light last |
@@ -70,22 +73,12 @@ pub use glam;
 
 pub mod camera;
 #[cfg(feature = "programs")]
-pub mod chart;
-#[cfg(feature = "programs")]
 pub mod cli;
 pub mod color;
-#[cfg(feature = "programs")]
-pub mod desk;
-pub mod effects;
-pub mod estimators;
-pub mod experiment;
-#[cfg(feature = "programs")]
-pub mod figures;
 pub mod flatland;
 pub mod geometry;
 pub mod integrators;
-#[cfg(feature = "programs")]
-pub mod ledger;
+pub mod lab;
 pub mod lights;
 pub mod materials;
 pub mod notation;

@@ -2,7 +2,7 @@
 
 use crate::stopping::{CRITICAL, Counted, Work, for_time, options, small};
 use halfdisk::integrators::Path;
-use halfdisk::render::target::{StoppedBy, render_to};
+use halfdisk::render::stopping::{StoppedBy, render_to};
 use halfdisk::render::{Options, render};
 use halfdisk::sampling::stream::Sampler;
 use halfdisk::stats::Estimate;

@@ -202,7 +202,7 @@ fn lamps_told_again_from_another_corner_are_counted() {
             "sphere = { center = [0, 1, 0], radius = 0.5 }",
         ),
     ] {
-        let hidden = |objects: &[String]| scene_of(&objects.concat()).report.hidden_lamps;
+        let hidden = |objects: &[String]| scene_of(&objects.concat()).report.hidden_lights;
         assert_eq!(hidden(&[lamp(shape), lamp(again)]), 1, "{again}");
         assert_eq!(hidden(&[lamp(shape), lamp(again), lamp(again)]), 2);
         // Elsewhere, turned over or shining on both sides it is another.
@@ -221,7 +221,7 @@ fn lamps_told_again_from_another_corner_are_counted() {
     assert_eq!(
         scene_of(&[LAMP.to_owned(), lamp(turned)].concat())
             .report
-            .hidden_lamps,
+            .hidden_lights,
         0
     );
 }

@@ -2,11 +2,11 @@
 
 use crate::checks::{accept, reject};
 use halfdisk::color::Rgb;
-use halfdisk::estimators::directions::Recipe;
-use halfdisk::estimators::furnace;
-use halfdisk::estimators::gather::Gather;
-use halfdisk::estimators::worlds::{self, Counted, Furnace, Lit, Plates};
 use halfdisk::integrators::world::{Diffuse, Step, World};
+use halfdisk::lab::estimators::directions::Recipe;
+use halfdisk::lab::estimators::furnace;
+use halfdisk::lab::estimators::gather::Gather;
+use halfdisk::lab::estimators::worlds::{self, Counted, Furnace, Lit, Plates};
 use halfdisk::sampling::stream::Stream;
 use halfdisk::scene::{Tracer, gallery, read::Source};
 use halfdisk::space::{Flat, Ray, Solid, Space};

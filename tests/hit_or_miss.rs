@@ -1,9 +1,9 @@
 //! Integrals by chance: S0.09 to S0.13 and S0.19.
 
 use crate::checks::{accept, reject};
-use halfdisk::estimators::{hit_or_miss, many_dimensions};
-use halfdisk::experiment::convergence::{Convergence, Design, converge, csv};
-use halfdisk::experiment::named;
+use halfdisk::lab::estimators::{hit_or_miss, many_dimensions};
+use halfdisk::lab::experiment::convergence::{Convergence, Design, converge, csv};
+use halfdisk::lab::experiment::named;
 use halfdisk::stats::slope::Line;
 use halfdisk::stats::{Estimate, z_test::two_sided};
 use std::f64::consts::PI;

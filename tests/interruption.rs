@@ -1,10 +1,10 @@
 //! A wish to stop is heard at once, also within a long step.
 
-use halfdisk::effects::measure::{Setup, difference_watched};
-use halfdisk::effects::words::words_watched;
-use halfdisk::experiment::convergence::{Convergence, Design, converge, converge_watched};
-use halfdisk::experiment::named;
 use halfdisk::integrators::Path;
+use halfdisk::lab::effects::measure::{Setup, difference_watched};
+use halfdisk::lab::effects::words::words_watched;
+use halfdisk::lab::experiment::convergence::{Convergence, Design, converge, converge_watched};
+use halfdisk::lab::experiment::named;
 use halfdisk::render::{Options, Progress, render};
 use halfdisk::scene::gallery;
 use std::sync::atomic::{AtomicU64, Ordering};

@@ -2,10 +2,10 @@
 
 use crate::checks::accept;
 use glam::Vec2;
-use halfdisk::estimators::doctor::{Patient, Reading, diagnose, examine, question, questions};
-use halfdisk::estimators::mistakes::{Exam, Variant, all, right, variants};
-use halfdisk::experiment::convergence::{Design, converge};
-use halfdisk::experiment::named;
+use halfdisk::lab::doctor::{Patient, Reading, diagnose, examine, question, questions};
+use halfdisk::lab::experiment::convergence::{Design, converge};
+use halfdisk::lab::experiment::named;
+use halfdisk::lab::mistakes::{Exam, Variant, all, right, variants};
 use halfdisk::sampling::flat_frame::FlatFrame;
 use halfdisk::sampling::stream::{Purpose, Stream};
 use halfdisk::sampling::{half_disk, hemisphere};

@@ -9,7 +9,7 @@ use halfdisk::sampling::mis::Heuristic;
 use halfdisk::sampling::stream::{Sampler, Stream};
 use halfdisk::scene::gallery::{self, GALLERY};
 use halfdisk::scene::read::Source;
-use halfdisk::scene::{Casters, Scene, Tracer};
+use halfdisk::scene::{CausticGuide, Scene, Tracer};
 use halfdisk::stats::Estimate;
 
 fn picture(scene: &Scene, integrator: &impl Integrator, spp: u32, seed: u64) -> Picture {
@@ -74,7 +74,7 @@ fn looking_towards_glass_changes_the_noise_and_not_the_mean() {
         let path = Path::new(scene.suggested.max_depth);
         let looking = picture(&scene, &path, 4096, 1);
         let mut blind = scene.clone();
-        blind.casters = Casters::default();
+        blind.casters = CausticGuide::default();
         let not = picture(&blind, &path, 4096, 2);
         let error = |p: &Picture| p.mean().1.unwrap();
         let mean = |p: &Picture| (p.mean().0, error(p));

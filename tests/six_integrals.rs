@@ -2,10 +2,10 @@
 //! lenses, shutters, lamps, edges, walls and facets.
 
 use crate::checks::{alike, unlike};
-use halfdisk::estimators::furnace::irradiance;
-use halfdisk::estimators::profiles::{Profile, Reading, lobe_energy};
-use halfdisk::estimators::worlds::ball;
 use halfdisk::integrators::{Distributed, Integral, Integrator, Kajiya, NextEvent};
+use halfdisk::lab::estimators::furnace::irradiance;
+use halfdisk::lab::estimators::profiles::{Profile, Reading, lobe_energy};
+use halfdisk::lab::estimators::worlds::ball;
 use halfdisk::render::{Options, Rendered, render};
 use halfdisk::sampling::stream::Purpose;
 use halfdisk::scene::description::{Description, Material, Shape};

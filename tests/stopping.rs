@@ -4,7 +4,7 @@
 use halfdisk::color::Rgb;
 use halfdisk::geometry::Ray;
 use halfdisk::integrators::{Integrator, Kajiya, Path};
-use halfdisk::render::target::{Goal, StoppedBy, render_to};
+use halfdisk::render::stopping::{Goal, StoppedBy, render_to};
 use halfdisk::render::{Film, Options, Progress, Session, render};
 use halfdisk::sampling::stream::{Purpose, Sampler, Stream};
 use halfdisk::scene::description::Material;

@@ -4,7 +4,7 @@ use halfdisk::color::Rgb;
 use halfdisk::geometry::Ray;
 use halfdisk::integrators::{Integrator, Path};
 use halfdisk::render::accuracy::{Accuracy, Measure, brightness, true_error};
-use halfdisk::render::target::{Goal, StoppedBy, pilot_seed, predict, render_to};
+use halfdisk::render::stopping::{Goal, StoppedBy, pilot_seed, predict, render_to};
 use halfdisk::render::{Film, Options, Pixel, Session, render};
 use halfdisk::sampling::stream::{Purpose, Sampler, Stream};
 use halfdisk::scene::gallery::load;

@@ -2,9 +2,9 @@
 
 use glam::{DVec3, Vec3};
 use halfdisk::color::Rgb;
-use halfdisk::estimators::two_ways::TwoWays;
 use halfdisk::geometry::{Quad, Ray, Sphere, Surface};
 use halfdisk::integrators::Whitted;
+use halfdisk::lab::estimators::two_ways::TwoWays;
 use halfdisk::lights::{Light, QuadLight, SphereLight};
 use halfdisk::render::compare;
 use halfdisk::sampling::stream::{Purpose, Stream};

@@ -5,13 +5,13 @@
 
 mod figures;
 
-use halfdisk::desk::{Chapter, Desk, DeskError, Number};
-use halfdisk::estimators::aperture::{
+use halfdisk::lab::chapter::{Chapter, Desk, DeskError, Number};
+use halfdisk::lab::estimators::aperture::{
     count_through_disc, count_through_slit, disc_chance, slit_chance,
 };
-use halfdisk::estimators::two_ways::{Traced, TwoWays};
-use halfdisk::experiment::price;
-use halfdisk::ledger::Ledger;
+use halfdisk::lab::estimators::two_ways::{Traced, TwoWays};
+use halfdisk::lab::experiment::price;
+use halfdisk::lab::ledger::Ledger;
 use halfdisk::render::compare;
 use halfdisk::scene::gallery;
 use halfdisk::stats::Estimate;

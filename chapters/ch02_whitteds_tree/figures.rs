@@ -1,11 +1,11 @@
 //! The figures of this chapter: one pixel's tree, and how trees grow.
 
-use halfdisk::chart::{
+use halfdisk::integrators::{Met, RayKind, RecordedRay, TreeCount, TreeRecord};
+use halfdisk::lab::chapter::{Desk, DeskError};
+use halfdisk::lab::drawing::{
     Axis, Bounds, ChartError, Circle, Curve, CurveChart, EdgeKind, Label, RayDrawing, Stroke,
     StrokeKind, Style, TreeDrawing, TreeNode,
 };
-use halfdisk::desk::{Desk, DeskError};
-use halfdisk::integrators::{Met, RayKind, RecordedRay, TreeCount, TreeRecord};
 
 /// The pixel, as a film position: at the edge of the glass sphere, where some light comes by way of the mirror.
 pub const PIXEL: [f32; 2] = [0.25, 0.64];

@@ -7,10 +7,10 @@ mod figures;
 
 use glam::Vec3;
 use halfdisk::color::Rgb;
-use halfdisk::desk::{Chapter, Desk, DeskError};
 use halfdisk::geometry::Ray;
-use halfdisk::integrators::{TreeCount, TreeRecord, Watch, Whitted};
-use halfdisk::ledger::Ledger;
+use halfdisk::integrators::{TreeCount, TreeObserver, TreeRecord, Whitted};
+use halfdisk::lab::chapter::{Chapter, Desk, DeskError};
+use halfdisk::lab::ledger::Ledger;
 use halfdisk::render::{Options, Rendered, compare, render};
 use halfdisk::sampling::stream::Stream;
 use halfdisk::scene::{Scene, Tracer, gallery};
@@ -116,7 +116,7 @@ fn work(desk: &mut Desk) -> Result<Ledger, DeskError> {
 }
 
 /// The radiance along one ray, with someone looking on.
-fn tree(scene: &Scene, ray: Ray, max_depth: u32, watcher: &mut impl Watch) -> Rgb {
+fn tree(scene: &Scene, ray: Ray, max_depth: u32, watcher: &mut impl TreeObserver) -> Rgb {
     let stream = Stream::new(0, 0, 0);
     Whitted { max_depth }.watch(&mut Tracer::new(scene), &ray, &stream, watcher)
 }

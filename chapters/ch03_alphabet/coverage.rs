@@ -2,10 +2,10 @@
 
 use crate::figures::short;
 use crate::share_of;
-use halfdisk::desk::{Desk, DeskError, Number};
-use halfdisk::effects::language::{Class, Finds, finds};
-use halfdisk::effects::words::{Words, words};
 use halfdisk::integrators::{Entry, LADDER, Path};
+use halfdisk::lab::chapter::{Desk, DeskError, Number};
+use halfdisk::lab::effects::language::{Class, Finds, finds};
+use halfdisk::lab::effects::words::{Words, words};
 use halfdisk::render::{Options, render};
 use halfdisk::scene::description::{Description, Light, Object, Shape};
 use halfdisk::scene::value::{Emission, Positive, Triple};

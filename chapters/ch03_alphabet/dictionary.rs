@@ -1,8 +1,8 @@
 //! What expressions say without a ray: the words that a tree misses, and thirty answered by hand.
 
-use halfdisk::desk::{Desk, DeskError};
-use halfdisk::effects::language::{Class, of_lamps};
 use halfdisk::integrators::Whitted;
+use halfdisk::lab::chapter::{Desk, DeskError};
+use halfdisk::lab::effects::language::{Class, of_lamps};
 use halfdisk::notation::{Expression, ExpressionError, Word};
 
 use Class::{Bleeding, Caustic, Direct, DirectSpecular, Seen, SeenSpecular};

@@ -1,11 +1,11 @@
 //! The figures of this chapter: shares of the light as bars, and a picture for each class.
 
 use crate::share_of;
-use halfdisk::chart::{Bar, BarChart, BarGroup};
-use halfdisk::desk::{Desk, DeskError, Number};
-use halfdisk::effects::language::{Class, Finds, finds};
-use halfdisk::effects::words::Words;
-use halfdisk::integrators::{Integrator, Path, Restricted, Whitted};
+use halfdisk::integrators::{FilteredPath, Integrator, Path, Whitted};
+use halfdisk::lab::chapter::{Desk, DeskError, Number};
+use halfdisk::lab::drawing::{Bar, BarChart, BarGroup};
+use halfdisk::lab::effects::language::{Class, Finds, finds};
+use halfdisk::lab::effects::words::Words;
 use halfdisk::render::{Options, Rendered, render};
 use halfdisk::sampling::stream::Sampler;
 use halfdisk::scene::{Scene, gallery};
@@ -93,7 +93,7 @@ pub fn strip(desk: &mut Desk) -> Result<Drawn, DeskError> {
         // ANCHOR: class
         let expression = class.expression();
         let paths = expression.eye_first();
-        let rendered = paint(desk, &scene, &Restricted { path, paths })?;
+        let rendered = paint(desk, &scene, &FilteredPath { path, paths })?;
         // ANCHOR_END: class
         let caption = format!("{}: {}.", class.text(), class.name());
         let name = format!("{}.png", short(class));

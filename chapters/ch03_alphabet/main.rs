@@ -8,11 +8,11 @@ mod coverage;
 mod dictionary;
 mod figures;
 
-use halfdisk::desk::{Chapter, Desk, DeskError, Number};
-use halfdisk::effects::language::Class;
-use halfdisk::effects::words::{Words, words};
 use halfdisk::integrators::Path;
-use halfdisk::ledger::Ledger;
+use halfdisk::lab::chapter::{Chapter, Desk, DeskError, Number};
+use halfdisk::lab::effects::language::Class;
+use halfdisk::lab::effects::words::{Words, words};
+use halfdisk::lab::ledger::Ledger;
 use halfdisk::notation::Word;
 use halfdisk::render::Options;
 use halfdisk::sampling::stream::Sampler;

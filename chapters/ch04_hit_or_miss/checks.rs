@@ -1,7 +1,7 @@
 //! What this chapter measures, beside what it should be.
 
-use halfdisk::desk::{Desk, Number};
-use halfdisk::experiment::convergence::Convergence;
+use halfdisk::lab::chapter::{Desk, Number};
+use halfdisk::lab::experiment::convergence::Convergence;
 use halfdisk::stats::Estimate;
 use rayon::prelude::*;
 use std::f64::consts::PI;

@@ -1,14 +1,14 @@
 //! The figures of this chapter: darts, a run with its band, rates, dimensions.
 
 use super::checks::checked;
-use halfdisk::chart::{
+use halfdisk::lab::chapter::{Desk, DeskError};
+use halfdisk::lab::drawing::{
     Arc, Axis, Bounds, ChartError, Curve, CurveChart, RayDrawing, Stroke, StrokeKind, Style,
 };
-use halfdisk::desk::{Desk, DeskError};
-use halfdisk::estimators::{hit_or_miss, many_dimensions};
-use halfdisk::experiment::convergence::{Convergence, Design, converge};
-use halfdisk::experiment::named;
-use halfdisk::figures::convergence_chart;
+use halfdisk::lab::estimators::{hit_or_miss, many_dimensions};
+use halfdisk::lab::experiment::convergence::{Convergence, Design, converge};
+use halfdisk::lab::experiment::named;
+use halfdisk::lab::figures::convergence_chart;
 use halfdisk::sampling::stream::{Purpose, Stream};
 use halfdisk::stats::z_test::Largest;
 use std::f64::consts::{FRAC_PI_2, PI};
@@ -119,7 +119,7 @@ pub fn dimensions(
         seed: desk.options.seed,
     };
     desk.value("grid_points", "points to spend", points.into());
-    let (mut compared, mut crossing) = (Largest::default(), None);
+    let (mut compared, mut intersection) = (Largest::default(), None);
     let (mut grids, mut chances) = (Vec::new(), Vec::new());
     for d in 1..=8 {
         let whole = whole_grid(points, d).map(|steps| many_dimensions::grid(d, steps) - 1.0);
@@ -142,10 +142,10 @@ pub fn dimensions(
         compared.add(checked(desk, &format!("chance_{d}"), &says, found));
         chances.push((f64::from(d), size.rmse, size.rmse_error));
         if whole.is_some_and(|error| error > size.rmse) {
-            crossing = crossing.or(Some(d));
+            intersection = intersection.or(Some(d));
         }
     }
-    if let Some(d) = crossing {
+    if let Some(d) = intersection {
         let says = "dimensions from which chance errs less than a grid";
         desk.value("crossing", says, d.into());
     }

@@ -7,11 +7,11 @@ mod checks;
 mod figures;
 
 use checks::{BATCHES, checked, coverage, relative, slope, spread};
-use halfdisk::desk::{Chapter, Desk, DeskError};
-use halfdisk::estimators::hit_or_miss;
-use halfdisk::experiment::convergence::{Design, converge};
-use halfdisk::experiment::named;
-use halfdisk::ledger::Ledger;
+use halfdisk::lab::chapter::{Chapter, Desk, DeskError};
+use halfdisk::lab::estimators::hit_or_miss;
+use halfdisk::lab::experiment::convergence::{Design, converge};
+use halfdisk::lab::experiment::named;
+use halfdisk::lab::ledger::Ledger;
 use halfdisk::stats::Estimate;
 use halfdisk::stats::z_test::Largest;
 use rayon::prelude::*;

@@ -1,12 +1,12 @@
 //! The figures of this chapter: half disks with their rays, and the two estimators' errors.
 
 use glam::{DVec2, Vec2};
-use halfdisk::desk::{Desk, DeskError, Number};
-use halfdisk::estimators::mistakes::{self, Exam};
-use halfdisk::experiment::convergence::Convergence;
-use halfdisk::figures::convergence_chart;
-use halfdisk::figures::flat::{self, Turn};
 use halfdisk::flatland::{frame, load};
+use halfdisk::lab::chapter::{Desk, DeskError, Number};
+use halfdisk::lab::experiment::convergence::Convergence;
+use halfdisk::lab::figures::convergence_chart;
+use halfdisk::lab::figures::flat::{self, Turn};
+use halfdisk::lab::mistakes::{self, Exam};
 use halfdisk::sampling::half_disk;
 use halfdisk::sampling::stream::{Purpose, Stream};
 use halfdisk::space::Dimension;

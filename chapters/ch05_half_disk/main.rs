@@ -6,15 +6,15 @@
 
 mod figures;
 
-use halfdisk::desk::{Chapter, Desk, DeskError};
-use halfdisk::estimators::directions::Recipe;
-use halfdisk::estimators::gather::Gather;
-use halfdisk::estimators::mistakes::{self, Exam};
-use halfdisk::estimators::plane_world;
-use halfdisk::experiment::convergence::{Convergence, Design, converge};
-use halfdisk::experiment::named;
 use halfdisk::flatland::{FlatHit, FlatWorld, exact, load};
-use halfdisk::ledger::Ledger;
+use halfdisk::lab::chapter::{Chapter, Desk, DeskError};
+use halfdisk::lab::estimators::directions::Recipe;
+use halfdisk::lab::estimators::gather::Gather;
+use halfdisk::lab::estimators::plane_world;
+use halfdisk::lab::experiment::convergence::{Convergence, Design, converge};
+use halfdisk::lab::experiment::named;
+use halfdisk::lab::ledger::Ledger;
+use halfdisk::lab::mistakes::{self, Exam};
 use halfdisk::space::Dimension;
 use halfdisk::stats::z_test::Largest;
 use std::f64::consts::{FRAC_2_PI, PI};

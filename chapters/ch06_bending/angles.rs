@@ -1,7 +1,7 @@
 //! Laws of directions, seen as laws of the angle from the normal.
 
 use glam::{Vec2, Vec3};
-use halfdisk::desk::Desk;
+use halfdisk::lab::chapter::Desk;
 use halfdisk::sampling::stream::{Numbers, Purpose, Stream};
 use halfdisk::sampling::{half_disk, hemisphere};
 use halfdisk::space::{Flat, Solid, Space};

@@ -1,14 +1,14 @@
 //! The figures of this chapter: histograms, points, and errors that fall.
 
 use crate::angles::{CELLS, Drawn};
-use halfdisk::chart::{
+use halfdisk::lab::chapter::{Desk, DeskError};
+use halfdisk::lab::drawing::{
     Arc, Axis, Bounds, ChartError, Circle, Curve, CurveChart, Dot, HALF, Label, RayDrawing, Stroke,
     StrokeKind, Style,
 };
-use halfdisk::desk::{Desk, DeskError};
-use halfdisk::estimators::directions::Recipe;
-use halfdisk::experiment::convergence::Convergence;
-use halfdisk::figures::convergence_chart;
+use halfdisk::lab::estimators::directions::Recipe;
+use halfdisk::lab::experiment::convergence::Convergence;
+use halfdisk::lab::figures::convergence_chart;
 use halfdisk::sampling::stream::{Purpose, Stream};
 use halfdisk::space::{Flat, Solid};
 use std::f64::consts::PI;

@@ -8,12 +8,12 @@ mod angles;
 mod figures;
 mod slopes;
 
-use halfdisk::desk::{Chapter, Desk, DeskError, Number};
-use halfdisk::estimators::directions::Recipe;
-use halfdisk::estimators::furnace;
-use halfdisk::estimators::gather::Gather;
-use halfdisk::estimators::worlds::{Sky, floor};
-use halfdisk::ledger::Ledger;
+use halfdisk::lab::chapter::{Chapter, Desk, DeskError, Number};
+use halfdisk::lab::estimators::directions::Recipe;
+use halfdisk::lab::estimators::furnace;
+use halfdisk::lab::estimators::gather::Gather;
+use halfdisk::lab::estimators::worlds::{Sky, floor};
+use halfdisk::lab::ledger::Ledger;
 use halfdisk::sampling::stream::Stream;
 use halfdisk::space::{Flat, Solid, Space};
 use halfdisk::stats::Estimate;

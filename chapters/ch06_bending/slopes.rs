@@ -1,12 +1,12 @@
 //! How fast errors fall, with and without strata.
 
 use crate::figures;
-use halfdisk::desk::{Desk, DeskError, Number};
-use halfdisk::estimators::directions::Recipe;
-use halfdisk::estimators::gather::Gather;
-use halfdisk::estimators::worlds;
-use halfdisk::experiment::convergence::{Convergence, Design, Estimator, converge};
-use halfdisk::experiment::named;
+use halfdisk::lab::chapter::{Desk, DeskError, Number};
+use halfdisk::lab::estimators::directions::Recipe;
+use halfdisk::lab::estimators::gather::Gather;
+use halfdisk::lab::estimators::worlds;
+use halfdisk::lab::experiment::convergence::{Convergence, Design, Estimator, converge};
+use halfdisk::lab::experiment::named;
 use halfdisk::sampling::stream::Stream;
 use halfdisk::space::Solid;
 
@@ -57,7 +57,7 @@ fn estimator(name: &str) -> Option<Estimator> {
         return named::find(name);
     }
     // The same lamp for the one recipe that has no name.
-    named::find("hemisphere-lamp-stratified").map(|stratified| Estimator {
+    named::find("hemisphere-lamp-stratified").map(|stratified| Estimator::<fn(u32, u64) -> f64> {
         name: STRATIFIED_COSINE,
         run: |samples, seed| {
             let gather = Gather {

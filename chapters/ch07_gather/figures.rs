@@ -1,13 +1,13 @@
 //! The figures of this chapter: a room bounce by bounce, its bleeding walls, and how trees grow.
 
 use glam::Vec3;
-use halfdisk::chart::{Axis, Curve, CurveChart, Style};
-use halfdisk::desk::{Desk, DeskError, Number};
-use halfdisk::estimators::directions::Recipe;
-use halfdisk::estimators::gather::Gather;
-use halfdisk::estimators::worlds::{Counted, Furnace};
 use halfdisk::geometry::Ray;
 use halfdisk::integrators::Integrator;
+use halfdisk::lab::chapter::{Desk, DeskError, Number};
+use halfdisk::lab::drawing::{Axis, Curve, CurveChart, Style};
+use halfdisk::lab::estimators::directions::Recipe;
+use halfdisk::lab::estimators::gather::Gather;
+use halfdisk::lab::estimators::worlds::{Counted, Furnace};
 use halfdisk::render::{Film, Pixel, Rendered};
 use halfdisk::sampling::stream::Stream;
 use halfdisk::scene::{Scene, Tracer};

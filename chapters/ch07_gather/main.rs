@@ -7,12 +7,12 @@
 mod figures;
 
 use glam::Vec3;
-use halfdisk::desk::{Chapter, Desk, DeskError};
-use halfdisk::estimators::directions::Recipe;
-use halfdisk::estimators::furnace::{self, irradiance};
-use halfdisk::estimators::gather::Gather;
-use halfdisk::estimators::worlds::{Sky, ball};
-use halfdisk::ledger::Ledger;
+use halfdisk::lab::chapter::{Chapter, Desk, DeskError};
+use halfdisk::lab::estimators::directions::Recipe;
+use halfdisk::lab::estimators::furnace::{self, irradiance};
+use halfdisk::lab::estimators::gather::Gather;
+use halfdisk::lab::estimators::worlds::{Sky, ball};
+use halfdisk::lab::ledger::Ledger;
 use halfdisk::render::{Options, Rendered, render};
 use halfdisk::scene::{Scene, gallery};
 use halfdisk::space::Solid;

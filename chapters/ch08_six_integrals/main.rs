@@ -7,12 +7,12 @@
 
 mod figures;
 
-use halfdisk::desk::{Chapter, Desk, DeskError, Number};
-use halfdisk::estimators::furnace::irradiance;
-use halfdisk::estimators::profiles::{Profile, lobe_energy};
-use halfdisk::estimators::worlds::ball;
 use halfdisk::integrators::{Distributed, Integral};
-use halfdisk::ledger::Ledger;
+use halfdisk::lab::chapter::{Chapter, Desk, DeskError, Number};
+use halfdisk::lab::estimators::furnace::irradiance;
+use halfdisk::lab::estimators::profiles::{Profile, lobe_energy};
+use halfdisk::lab::estimators::worlds::ball;
+use halfdisk::lab::ledger::Ledger;
 use halfdisk::render::{Options, Rendered, render};
 use halfdisk::sampling::stream::Purpose;
 use halfdisk::scene::{Scene, gallery};

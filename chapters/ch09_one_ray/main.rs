@@ -8,13 +8,13 @@ mod compare;
 mod figures;
 
 use glam::Vec2;
-use halfdisk::desk::{Chapter, Desk, DeskError};
-use halfdisk::estimators::directions::Recipe;
-use halfdisk::estimators::gather::Gather;
-use halfdisk::estimators::walks;
 use halfdisk::flatland::{self, exact};
 use halfdisk::integrators::{Integrator, Kajiya};
-use halfdisk::ledger::Ledger;
+use halfdisk::lab::chapter::{Chapter, Desk, DeskError};
+use halfdisk::lab::estimators::directions::Recipe;
+use halfdisk::lab::estimators::gather::Gather;
+use halfdisk::lab::estimators::walks;
+use halfdisk::lab::ledger::Ledger;
 use halfdisk::notation::Expression;
 use halfdisk::render::{Options, Rendered, render};
 use halfdisk::scene::{Scene, gallery};

@@ -1,10 +1,10 @@
 //! What the figures of this chapter show beside light.
 
-use halfdisk::chart::{Axis, Bar, BarChart, BarGroup, Curve, CurveChart, Style};
 use halfdisk::color::Rgb;
-use halfdisk::desk::{Desk, DeskError};
 use halfdisk::geometry::Ray;
 use halfdisk::integrators::{Integrator, WhichRay};
+use halfdisk::lab::chapter::{Desk, DeskError};
+use halfdisk::lab::drawing::{Axis, Bar, BarChart, BarGroup, Curve, CurveChart, Style};
 use halfdisk::materials::{Bsdf, BsdfSample, Event};
 use halfdisk::sampling::stream::Stream;
 use halfdisk::scene::Tracer;

@@ -3,8 +3,8 @@
 use crate::RULES;
 use crate::figures::{self, KINDS, kind, z};
 use halfdisk::color::Rgb;
-use halfdisk::desk::{Desk, DeskError, Number};
-use halfdisk::estimators::mixed_furnace::MixedFurnace;
+use halfdisk::lab::chapter::{Desk, DeskError, Number};
+use halfdisk::lab::estimators::mixed_furnace::MixedFurnace;
 use halfdisk::materials::{Choice, Mixture};
 use halfdisk::sampling::stream::Stream;
 use halfdisk::stats::Estimate;

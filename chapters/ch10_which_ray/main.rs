@@ -8,9 +8,9 @@ mod figures;
 mod furnaces;
 
 use figures::z;
-use halfdisk::desk::{Chapter, Desk, DeskError};
 use halfdisk::integrators::{Integrator, WhichRay};
-use halfdisk::ledger::Ledger;
+use halfdisk::lab::chapter::{Chapter, Desk, DeskError};
+use halfdisk::lab::ledger::Ledger;
 use halfdisk::materials::Choice;
 use halfdisk::render::{Options, Rendered, render};
 use halfdisk::sampling::stream::Stream;

@@ -1,9 +1,9 @@
 //! What the furnace reads: cut, by roulette, clamped.
 
-use halfdisk::desk::{Desk, Number};
-use halfdisk::estimators::survival::Game;
-use halfdisk::estimators::worlds::{Counted, Furnace};
 use halfdisk::integrators::{Kajiya, Roulette, Survival};
+use halfdisk::lab::chapter::{Desk, Number};
+use halfdisk::lab::estimators::survival::Game;
+use halfdisk::lab::estimators::worlds::{Counted, Furnace};
 use halfdisk::sampling::stream::Stream;
 use halfdisk::space::Flat;
 use halfdisk::stats::Estimate;

@@ -8,13 +8,13 @@ mod figures;
 mod furnace;
 mod pictures;
 
-use halfdisk::desk::{Chapter, Desk, DeskError, Number};
-use halfdisk::estimators::survival::Game;
-use halfdisk::estimators::worlds::{Counted, Furnace};
 use halfdisk::flatland::gallery;
 use halfdisk::integrators::world::FlatTracer;
 use halfdisk::integrators::{Kajiya, Roulette, Survival};
-use halfdisk::ledger::Ledger;
+use halfdisk::lab::chapter::{Chapter, Desk, DeskError, Number};
+use halfdisk::lab::estimators::survival::Game;
+use halfdisk::lab::estimators::worlds::{Counted, Furnace};
+use halfdisk::lab::ledger::Ledger;
 use halfdisk::sampling::stream::Stream;
 use halfdisk::scene::read::Source;
 use halfdisk::space::{Flat, Ray};

@@ -1,9 +1,9 @@
 //! The Cornell box by walks of several kinds, and how long they are.
 
 use halfdisk::color::Rgb;
-use halfdisk::desk::{Desk, DeskError, Number};
 use halfdisk::geometry::Ray;
 use halfdisk::integrators::{Integrator, Kajiya, Roulette, Survival};
+use halfdisk::lab::chapter::{Desk, DeskError, Number};
 use halfdisk::render::{Film, Options, Pixel, Rendered, render};
 use halfdisk::sampling::stream::Stream;
 use halfdisk::scene::{Scene, Tracer, gallery};

@@ -7,10 +7,10 @@
 mod figures;
 mod lamps;
 
-use halfdisk::desk::{Chapter, Desk, DeskError};
-use halfdisk::estimators::shrinking_lamp::{self, Technique};
-use halfdisk::estimators::walks::Walks;
-use halfdisk::ledger::Ledger;
+use halfdisk::lab::chapter::{Chapter, Desk, DeskError};
+use halfdisk::lab::estimators::shrinking_lamp::{self, Technique};
+use halfdisk::lab::estimators::walks::Walks;
+use halfdisk::lab::ledger::Ledger;
 use std::process::ExitCode;
 
 const CHAPTER: Chapter = Chapter {

@@ -1,9 +1,9 @@
 //! The charts of this chapter: variances against the size of a lamp.
 
 use crate::sweep::{Size, Sweep, WAYS};
-use halfdisk::chart::{Axis, Curve, CurveChart, Style};
-use halfdisk::desk::{Desk, DeskError};
-use halfdisk::estimators::overhead::Overhead;
+use halfdisk::lab::chapter::{Desk, DeskError};
+use halfdisk::lab::drawing::{Axis, Curve, CurveChart, Style};
+use halfdisk::lab::estimators::overhead::Overhead;
 
 /// The whole sweep, and its wide end.
 pub fn sweep(desk: &mut Desk, sweep: &Sweep) -> Result<(), DeskError> {

@@ -9,8 +9,8 @@ mod plates;
 mod readings;
 mod sweep;
 
-use halfdisk::desk::{Chapter, Desk, DeskError};
-use halfdisk::ledger::Ledger;
+use halfdisk::lab::chapter::{Chapter, Desk, DeskError};
+use halfdisk::lab::ledger::Ledger;
 use std::process::ExitCode;
 
 const CHAPTER: Chapter = Chapter {

@@ -1,9 +1,9 @@
 //! Four lamps over four plates.
 
 use halfdisk::color::Rgb;
-use halfdisk::desk::{Desk, DeskError, Number};
 use halfdisk::geometry::Ray;
 use halfdisk::integrators::{Combine, Integrator, Kajiya, NextEvent};
+use halfdisk::lab::chapter::{Desk, DeskError, Number};
 use halfdisk::render::{Film, Options, Rendered, render};
 use halfdisk::sampling::mis::Heuristic;
 use halfdisk::sampling::stream::Stream;

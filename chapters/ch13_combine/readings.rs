@@ -2,12 +2,12 @@
 
 use crate::sweep::to;
 use halfdisk::color::Rgb;
-use halfdisk::desk::{Desk, DeskError, Number};
-use halfdisk::estimators::mistakes::misled::{Misled, Slip};
-use halfdisk::estimators::overhead::{Overhead, Technique};
 use halfdisk::geometry::Ray;
 use halfdisk::integrators::world::FlatTracer;
 use halfdisk::integrators::{Combine, Integrator, Kajiya, NextEvent};
+use halfdisk::lab::chapter::{Desk, DeskError, Number};
+use halfdisk::lab::estimators::overhead::{Overhead, Technique};
+use halfdisk::lab::mistakes::misled::{Misled, Slip};
 use halfdisk::sampling::mis::Heuristic;
 use halfdisk::sampling::stream::Stream;
 use halfdisk::scene::description::Material;

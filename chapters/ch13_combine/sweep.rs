@@ -1,8 +1,8 @@
 //! One lamp of many sizes, found in four ways.
 
-use halfdisk::desk::{Desk, DeskError, Number};
-use halfdisk::estimators::overhead::{Aim, Overhead, Technique};
 use halfdisk::integrators::world::FlatTracer;
+use halfdisk::lab::chapter::{Desk, DeskError, Number};
+use halfdisk::lab::estimators::overhead::{Aim, Overhead, Technique};
 use halfdisk::sampling::mis::Heuristic;
 use halfdisk::sampling::stream::{Purpose, Stream};
 use halfdisk::stats::Estimate;

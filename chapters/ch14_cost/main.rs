@@ -1,7 +1,7 @@
 //! Chapter 14: What accuracy costs.
 //!
 //! Question: a picture is too noisy. How many samples does it lack, and what would they cost?
-//! New here: `experiment::cost`, `experiment::noise`, `render::accuracy`, `render::target`. Simulates
+//! New here: `experiment::cost`, `experiment::noise`, `render::accuracy`, `render::stopping`. Simulates
 //! what each integrator before it does. Builds on: chapters 4 (the error bar and its rate) and 9 to 13
 //! (the integrators).
 
@@ -10,8 +10,8 @@ mod needs;
 mod prices;
 mod steps;
 
-use halfdisk::desk::{Chapter, Desk, DeskError};
-use halfdisk::ledger::Ledger;
+use halfdisk::lab::chapter::{Chapter, Desk, DeskError};
+use halfdisk::lab::ledger::Ledger;
 use std::process::ExitCode;
 
 const CHAPTER: Chapter = Chapter {

@@ -1,10 +1,10 @@
 //! Where a picture needs samples: maps of the box, and four scenes.
 
 use crate::prices::digits;
-use halfdisk::chart::{Axis, Curve, HALF, HeatMap, Style};
-use halfdisk::desk::{Desk, DeskError};
-use halfdisk::figures::required_chart;
 use halfdisk::integrators::Path;
+use halfdisk::lab::chapter::{Desk, DeskError};
+use halfdisk::lab::drawing::{Axis, Curve, HALF, HeatMap, Style};
+use halfdisk::lab::figures::required_chart;
 use halfdisk::render::accuracy::Accuracy;
 use halfdisk::render::{Options, Rendered, render};
 use halfdisk::scene::gallery;

@@ -1,10 +1,10 @@
 //! How many samples an error needs: predicted from four pictures, found in others.
 
 use crate::prices::{Prices, digits};
-use halfdisk::desk::{Desk, DeskError, Number};
 use halfdisk::integrators::Path;
+use halfdisk::lab::chapter::{Desk, DeskError, Number};
 use halfdisk::render::accuracy::{Measure, true_error};
-use halfdisk::render::target::{Goal, render_to};
+use halfdisk::render::stopping::{Goal, render_to};
 use halfdisk::render::{Options, render};
 use halfdisk::sampling::stream::Sampler;
 use halfdisk::stats::Estimate;

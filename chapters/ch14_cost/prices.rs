@@ -1,12 +1,12 @@
 //! The price list: every integrator so far, even points, and a mistake.
 
-use halfdisk::desk::{Desk, DeskError, Number};
-use halfdisk::experiment::cost::strip::{affordable, show};
-use halfdisk::experiment::cost::{
+use halfdisk::lab::chapter::{Desk, DeskError, Number};
+use halfdisk::lab::experiment::cost::strip::{affordable, show};
+use halfdisk::lab::experiment::cost::{
     ALL, BASE, Budget, Design, Measured, Nothing, PriceList, Priced, Reach, TARGETS, Verdict,
     measure,
 };
-use halfdisk::figures::{Against, cost_chart};
+use halfdisk::lab::figures::{Against, cost_chart};
 use halfdisk::render::{Film, Pixel};
 use halfdisk::scene::{Scene, gallery};
 use halfdisk::stats::slope::{Fit, Insufficient};

@@ -3,8 +3,9 @@
 use glam::{DVec3, Vec3};
 use halfdisk::geometry::{Aabb, PreparedRay, Ray, Sphere, Triangle};
 use halfdisk::integrators::Survival;
+use halfdisk::lab::naive;
 use halfdisk::materials::{Glass, fresnel, ggx::Ggx};
-use halfdisk::numeric::{self, naive};
+use halfdisk::numeric;
 use halfdisk::sampling::mis::Heuristic;
 use halfdisk::sampling::stream::{Numbers, Purpose, Stream};
 use halfdisk::sampling::{frame::Frame, half_disk, warps};
@@ -122,7 +123,7 @@ fn spheres(n: u32, seed: u64) -> [f64; 2] {
         let towards = (aim.as_dvec3() - from.as_dvec3()).normalize();
         let ray = Ray::new(from, towards.as_vec3());
         let plain = naive::sphere_after(from, ray.direction, sphere.center, sphere.radius, 0.0);
-        let ours = sphere.cross(&PreparedRay::from(&ray), f32::MAX);
+        let ours = sphere.intersect(&PreparedRay::from(&ray), f32::MAX);
         lost[0] += f64::from(u8::from(plain.is_none()));
         lost[1] += f64::from(u8::from(ours.is_none()));
     }
@@ -146,7 +147,9 @@ fn vertices(n: u32, seed: u64) -> [f64; 2] {
         for k in 0..6 {
             let [a, b, c] = [tip, foot(k), foot((k + 1) % 6)];
             plain |= naive::triangle(ray.origin, ray.direction, [a, b, c]).is_some();
-            ours |= Triangle { a, b, c }.cross(&prepared, f32::MAX).is_some();
+            ours |= Triangle { a, b, c }
+                .intersect(&prepared, f32::MAX)
+                .is_some();
         }
         lost[0] += f64::from(u8::from(!plain));
         lost[1] += f64::from(u8::from(!ours));

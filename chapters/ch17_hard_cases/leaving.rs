@@ -2,8 +2,8 @@
 
 use crate::cases::numbers;
 use glam::Vec3;
-use halfdisk::geometry::{Crossing, PreparedRay, Ray, Triangle};
-use halfdisk::numeric::naive;
+use halfdisk::geometry::{Intersection, PreparedRay, Ray, Triangle};
+use halfdisk::lab::naive;
 use halfdisk::sampling::stream::Numbers;
 use halfdisk::sampling::{frame::Frame, hemisphere, warps};
 
@@ -53,7 +53,7 @@ fn one(scale: f32, numbers: &mut Numbers) -> [bool; 3] {
     let eye = corner() * 1000.0;
     let to_middle = ((a + b + c).as_dvec3() / 3.0 - eye.as_dvec3()).normalize();
     let ray = Ray::new(eye, to_middle.as_vec3());
-    let Some(hit) = triangle.cross(&PreparedRay::from(&ray), f32::MAX) else {
+    let Some(hit) = triangle.intersect(&PreparedRay::from(&ray), f32::MAX) else {
         return [false; 3];
     };
     let surface = triangle.surface(hit);
@@ -74,6 +74,6 @@ fn one(scale: f32, numbers: &mut Numbers) -> [bool; 3] {
 // ANCHOR_END: one
 
 /// Where a ray meets the triangle it has just left.
-fn again(triangle: &Triangle, start: Vec3, out: Vec3) -> Option<Crossing> {
-    triangle.cross(&PreparedRay::from(&Ray::new(start, out)), f32::MAX)
+fn again(triangle: &Triangle, start: Vec3, out: Vec3) -> Option<Intersection> {
+    triangle.intersect(&PreparedRay::from(&Ray::new(start, out)), f32::MAX)
 }

@@ -7,11 +7,11 @@
 mod cases;
 mod leaving;
 
-use halfdisk::chart::{Axis, Curve, CurveChart, Style};
-use halfdisk::desk::{Chapter, Desk, DeskError, Number};
-use halfdisk::experiment::robustness::pairs;
-use halfdisk::experiment::stopwatch::in_turns;
-use halfdisk::ledger::Ledger;
+use halfdisk::lab::chapter::{Chapter, Desk, DeskError, Number};
+use halfdisk::lab::drawing::{Axis, Curve, CurveChart, Style};
+use halfdisk::lab::experiment::robustness::pairs;
+use halfdisk::lab::experiment::stopwatch::in_turns;
+use halfdisk::lab::ledger::Ledger;
 use std::process::ExitCode;
 
 const CHAPTER: Chapter = Chapter {

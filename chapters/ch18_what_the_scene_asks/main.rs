@@ -9,8 +9,8 @@ mod race;
 mod report;
 mod savings;
 
-use halfdisk::desk::{Chapter, Desk, DeskError};
-use halfdisk::ledger::Ledger;
+use halfdisk::lab::chapter::{Chapter, Desk, DeskError};
+use halfdisk::lab::ledger::Ledger;
 use halfdisk::scene::{Scene, SceneError, gallery};
 use std::process::ExitCode;
 

@@ -1,9 +1,9 @@
 //! The final scene, whole and class by class.
 
 use crate::{FINAL, load};
-use halfdisk::desk::{Desk, DeskError, Number};
-use halfdisk::effects::language::{Class, Finds, finds};
-use halfdisk::integrators::{Integrator, Path, Restricted};
+use halfdisk::integrators::{FilteredPath, Integrator, Path};
+use halfdisk::lab::chapter::{Desk, DeskError, Number};
+use halfdisk::lab::effects::language::{Class, Finds, finds};
 use halfdisk::render::{Options, Rendered, render};
 use halfdisk::sampling::stream::Sampler;
 use halfdisk::scene::Scene;
@@ -51,7 +51,7 @@ pub fn work(desk: &mut Desk) -> Result<Drawn, DeskError> {
         }
         let expression = class.expression();
         let paths = expression.eye_first();
-        let part = paint(desk, &scene, spp, &Restricted { path, paths })?;
+        let part = paint(desk, &scene, spp, &FilteredPath { path, paths })?;
         let caption = format!("{}: {}.", class.text(), class.name());
         let name = short(class);
         desk.picture(&format!("{name}.png"), &caption, &part.film, &scene)?;

@@ -2,10 +2,10 @@
 
 use crate::savings::two_digits;
 use crate::{FINAL, load};
-use halfdisk::chart::{Axis, Curve, CurveChart, HALF, Style};
-use halfdisk::desk::{Desk, DeskError, Number};
-use halfdisk::experiment::cost::Reference;
 use halfdisk::integrators::{self, Kajiya, LADDER, Path, Whitted};
+use halfdisk::lab::chapter::{Desk, DeskError, Number};
+use halfdisk::lab::drawing::{Axis, Curve, CurveChart, HALF, Style};
+use halfdisk::lab::experiment::cost::Reference;
 use halfdisk::render::{Options, render};
 use halfdisk::sampling::stream::Sampler;
 use halfdisk::scene::Scene;

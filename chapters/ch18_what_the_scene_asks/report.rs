@@ -1,11 +1,11 @@
 //! What a scene calls for, by reading it.
 
 use crate::FINAL;
-use halfdisk::desk::{Desk, DeskError};
-use halfdisk::effects::language::{Class, of_scene, out_of_reach};
-use halfdisk::effects::plan;
-use halfdisk::effects::words::words;
-use halfdisk::integrators::{Kajiya, Path, Restricted};
+use halfdisk::integrators::{FilteredPath, Kajiya, Path};
+use halfdisk::lab::chapter::{Desk, DeskError};
+use halfdisk::lab::effects::language::{Class, of_scene, out_of_reach};
+use halfdisk::lab::effects::plan;
+use halfdisk::lab::effects::words::words;
 use halfdisk::render::{Options, render};
 use halfdisk::scene::description::{Description, Light, Object, Shape};
 use halfdisk::scene::read::Source;
@@ -50,7 +50,7 @@ pub fn point_through_glass(desk: &mut Desk) -> Result<u64, DeskError> {
     };
     let path = Path::new(scene.suggested.max_depth);
     let paths = lost.eye_first();
-    let read = render(&scene, &Restricted { path, paths }, &options, &());
+    let read = render(&scene, &FilteredPath { path, paths }, &options, &());
     let mut rays = read.rays.total();
     let says = format!("point through glass: the brightest pixel of {lost}");
     desk.known("point_lost", &says, read.film.max(), 0.0);

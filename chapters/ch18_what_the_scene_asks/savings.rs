@@ -1,11 +1,11 @@
 //! What effects are worth, and what absent ones cost where they are not left out.
 
 use crate::{FINAL, load};
-use halfdisk::chart::{Bar, BarChart, BarGroup};
-use halfdisk::desk::{Desk, DeskError, Number};
-use halfdisk::effects::measure::{Difference, Setup, Times, difference};
-use halfdisk::effects::without::Without;
 use halfdisk::integrators::Path;
+use halfdisk::lab::chapter::{Desk, DeskError, Number};
+use halfdisk::lab::drawing::{Bar, BarChart, BarGroup};
+use halfdisk::lab::effects::measure::{Difference, Setup, Times, difference};
+use halfdisk::lab::effects::without::Without;
 use halfdisk::render::{Options, Rendered, render};
 use halfdisk::scene::Scene;
 

@@ -5,7 +5,7 @@
 
 #![allow(clippy::print_stdout)]
 
-use halfdisk::estimators::aperture::{
+use halfdisk::lab::estimators::aperture::{
     count_through_disc, count_through_slit, disc_chance, slit_chance,
 };
 

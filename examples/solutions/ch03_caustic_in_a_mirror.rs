@@ -7,9 +7,9 @@
 
 #![allow(clippy::print_stdout)]
 
-use halfdisk::effects::language;
-use halfdisk::effects::words::words;
 use halfdisk::integrators::Path;
+use halfdisk::lab::effects::language;
+use halfdisk::lab::effects::words::words;
 use halfdisk::notation::Expression;
 use halfdisk::render::Options;
 use halfdisk::scene::gallery::{self, GALLERY};

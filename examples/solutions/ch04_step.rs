@@ -6,8 +6,8 @@
 
 #![allow(clippy::print_stdout)]
 
-use halfdisk::estimators::many_dimensions;
-use halfdisk::experiment::convergence::{Convergence, Design, Estimator, Sizes, converge};
+use halfdisk::lab::estimators::many_dimensions;
+use halfdisk::lab::experiment::convergence::{Convergence, Design, Estimator, Sizes, converge};
 use halfdisk::sampling::stream::{Purpose, Stream};
 use halfdisk::stats::Estimate;
 use halfdisk::stats::slope::Line;

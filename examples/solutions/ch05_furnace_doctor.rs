@@ -6,7 +6,7 @@
 
 #![allow(clippy::print_stdout)]
 
-use halfdisk::estimators::doctor::{Patient, examine};
+use halfdisk::lab::doctor::{Patient, examine};
 use halfdisk::sampling::{flat_frame::FlatFrame, half_disk};
 use halfdisk::space::Flat;
 use std::f32::consts::PI;

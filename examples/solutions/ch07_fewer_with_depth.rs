@@ -7,9 +7,9 @@
 #![allow(clippy::print_stdout)]
 
 use glam::Vec3;
-use halfdisk::estimators::directions::{Drawn, Recipe};
-use halfdisk::estimators::worlds::{Counted, Plates};
 use halfdisk::integrators::world::World;
+use halfdisk::lab::estimators::directions::{Drawn, Recipe};
+use halfdisk::lab::estimators::worlds::{Counted, Plates};
 use halfdisk::sampling::stream::{Purpose, Stream};
 use halfdisk::space::{Ray, Solid, Space};
 use halfdisk::stats::Estimate;

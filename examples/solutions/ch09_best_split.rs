@@ -7,7 +7,7 @@
 
 #![allow(clippy::print_stdout)]
 
-use halfdisk::estimators::split::Split;
+use halfdisk::lab::estimators::split::Split;
 use halfdisk::render::{Options, Rendered, render};
 use halfdisk::scene::{Scene, SceneError, gallery};
 

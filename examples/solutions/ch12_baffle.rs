@@ -8,9 +8,9 @@
 #![allow(clippy::print_stdout)]
 
 use glam::Vec2;
-use halfdisk::estimators::walks::{self, Walks};
 use halfdisk::flatland::gallery;
 use halfdisk::integrators::{Kajiya, NextEvent};
+use halfdisk::lab::estimators::walks::{self, Walks};
 use halfdisk::scene::SceneError;
 use halfdisk::scene::read::Source;
 use halfdisk::space::{Flat, Ray};

@@ -6,9 +6,9 @@
 
 #![allow(clippy::print_stdout)]
 
-use halfdisk::estimators::mistakes::misled::{Misled, Slip};
-use halfdisk::estimators::overhead::{Overhead, Technique};
 use halfdisk::integrators::world::FlatTracer;
+use halfdisk::lab::estimators::overhead::{Overhead, Technique};
+use halfdisk::lab::mistakes::misled::{Misled, Slip};
 use halfdisk::sampling::mis::Heuristic;
 use halfdisk::sampling::stream::{Purpose, Stream};
 use halfdisk::scene::SceneError;

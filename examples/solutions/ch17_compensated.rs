@@ -9,7 +9,7 @@
 
 #![allow(clippy::print_stdout)]
 
-use halfdisk::numeric::naive;
+use halfdisk::lab::naive;
 
 /// The mean of samples by a compensated sum.
 fn compensated(samples: impl IntoIterator<Item = f32>) -> f32 {

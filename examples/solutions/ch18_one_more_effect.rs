@@ -5,7 +5,7 @@
 
 #![allow(clippy::print_stdout)]
 
-use halfdisk::effects::plan::{Plan, plan};
+use halfdisk::lab::effects::plan::{Plan, plan};
 use halfdisk::scene::description::{Description, Light, Material, Shape};
 use halfdisk::scene::value::{Emission, NotNegative, Radiance, Roughness, Shutter, Triple};
 use halfdisk::scene::{Effect, SceneError, gallery};

@@ -1,7 +1,7 @@
 //! The one place that decides how a command prints its result: as text, or as JSON.
 
 use super::Stop;
-use crate::desk;
+use crate::lab::chapter;
 use serde::Serialize;
 use std::fmt::{self, Display, Formatter};
 
@@ -21,7 +21,7 @@ pub(super) fn to_json(result: &impl Serialize) -> Result<String, Stop> {
 
 /// Prints a text.
 pub(super) fn print(text: &str) -> Result<(), Stop> {
-    desk::answer(text).map_err(|e| Stop::Failure(format!("stdout: {e}")))
+    chapter::answer(text).map_err(|e| Stop::Failure(format!("stdout: {e}")))
 }
 
 /// A list of results: an array in JSON, one after the other in text.

@@ -2,11 +2,11 @@
 
 use super::answer::answer;
 use super::{Stop, folder, reduced};
-use crate::desk::{Bar, on_ctrl_c, tell, whole};
-use crate::effects::by_class::by_class;
-use crate::effects::language::{self, Class, Finds, finds};
-use crate::effects::words::{Share, Words, words_watched};
 use crate::integrators::{Entry, LADDER, Path};
+use crate::lab::chapter::{Bar, on_ctrl_c, tell, whole};
+use crate::lab::effects::by_class::by_class;
+use crate::lab::effects::language::{self, Class, Finds, finds};
+use crate::lab::effects::words::{Share, Words, words_watched};
 use crate::notation::Word;
 use crate::numeric::count;
 use crate::output::{self, Display as Shades, Provenance};

@@ -2,10 +2,10 @@
 
 use super::answer::{List, answer, to_json};
 use super::{Stop, check_folder, drawn, save, use_threads, with_ending};
-use crate::desk::{Bar, on_ctrl_c, tell, whole};
-use crate::experiment::convergence::{Convergence, Design, Estimator, converge_watched, csv};
-use crate::experiment::named;
-use crate::figures::convergence_chart;
+use crate::lab::chapter::{Bar, on_ctrl_c, tell, whole};
+use crate::lab::experiment::convergence::{Convergence, Design, Estimator, converge_watched, csv};
+use crate::lab::experiment::named;
+use crate::lab::figures::convergence_chart;
 use crate::numeric::count;
 use clap::Args;
 use serde::Serialize;

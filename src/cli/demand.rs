@@ -1,10 +1,10 @@
 //! Which light a user asks for: all of it, that of certain paths, or all but an effect.
 
 use super::Stop;
-use crate::effects::language::{self, Wanted};
-use crate::effects::measure::{Setup, difference_watched};
-use crate::effects::plan::{demand, never_a_path, reason};
-use crate::effects::without::Without;
+use crate::lab::effects::language::{self, Wanted};
+use crate::lab::effects::measure::{Setup, difference_watched};
+use crate::lab::effects::plan::{demand, never_a_path, reason};
+use crate::lab::effects::without::Without;
 use crate::notation::Expression;
 use crate::render::Progress;
 use crate::scene::{Effect, Scene};

@@ -3,10 +3,10 @@
 use super::Stop;
 use super::answer::answer;
 use super::demand::{Demand, measured_size};
-use crate::desk::{Bar, on_ctrl_c, tell, whole};
-use crate::effects::measure::{Difference, Setup, difference_watched};
-use crate::effects::plan::{self, Plan, demand, plan};
-use crate::effects::without::Without;
+use crate::lab::chapter::{Bar, on_ctrl_c, tell, whole};
+use crate::lab::effects::measure::{Difference, Setup, difference_watched};
+use crate::lab::effects::plan::{self, Plan, demand, plan};
+use crate::lab::effects::without::Without;
 use crate::numeric::count;
 use crate::scene::{Effect, Scene, gallery};
 use clap::Args;

@@ -1,11 +1,11 @@
 //! Light that a picture lacks: what its integrator cannot find, and what was left out on purpose.
 
 use super::demand::Bias;
-use crate::effects::black::why_black;
-use crate::effects::language::Wanted;
-use crate::effects::missed::{Missed, missed, unmet};
-use crate::effects::plan::{demand, plan};
 use crate::integrators::Entry;
+use crate::lab::effects::black::why_black;
+use crate::lab::effects::language::Wanted;
+use crate::lab::effects::missed::{Missed, missed, unmet};
+use crate::lab::effects::plan::{demand, plan};
 use crate::render::Rendered;
 use crate::scene::Scene;
 use serde::Serialize;

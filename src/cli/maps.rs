@@ -1,11 +1,11 @@
 //! `halfdisk render --maps`: where in a picture samples are needed.
 
 use super::{Stop, drawn, save};
-use crate::chart::{Axis, HeatMap};
-use crate::figures::required_chart;
+use crate::lab::drawing::{Axis, HeatMap};
+use crate::lab::figures::required_chart;
 use crate::render::Film;
 use crate::render::accuracy::{Accuracy, Measure};
-use crate::render::target::{Goal, percent};
+use crate::render::stopping::{Goal, percent};
 use clap::Args;
 use std::path::{Path, PathBuf};
 

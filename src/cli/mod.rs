@@ -20,8 +20,8 @@ mod scenes;
 mod stop;
 mod tour;
 
-use crate::chart::ChartError;
-use crate::desk::{self, interrupted_code, tell};
+use crate::lab::chapter::{self, interrupted_code, tell};
+use crate::lab::drawing::ChartError;
 use crate::output::{self, OutputError};
 use crate::scene::SceneError;
 use clap::{Parser, Subcommand};
@@ -77,7 +77,7 @@ impl Command {
     // Not compiled into its caller, which looks at the processor first.
     #[inline(never)]
     pub fn start() -> ExitCode {
-        match desk::arguments::<Command>() {
+        match chapter::arguments::<Command>() {
             Ok(command) => command.run(),
             Err(code) => code,
         }

@@ -1,7 +1,7 @@
 //! The gallery page: every chapter's pictures, charts and numbers, and the ledger.
 
 use super::Stop;
-use crate::desk::Record;
+use crate::lab::chapter::Record;
 use minijinja::value::Serde;
 use minijinja::{AutoEscape, Environment, Value, context};
 
@@ -30,7 +30,7 @@ pub(super) fn filled(name: &str, template: &str, values: Value) -> Result<String
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::ledger::Ledger;
+    use crate::lab::ledger::Ledger;
     use crate::stats::z_test::Largest;
 
     #[test]

@@ -7,14 +7,14 @@ use super::maps::Maps;
 use super::report::Report;
 use super::stop::{Ended, Ending};
 use super::{Stop, note_slow_build, stem, use_threads};
-use crate::desk::{Bar, on_ctrl_c, tell, whole};
-use crate::effects::measure::Setup;
 use crate::integrators::{
-    self, Entry, Integrator, LADDER, Path as PathTracer, RarelyAsked, Restricted, Shows, VIEWS,
+    self, Entry, FilteredPath, Integrator, LADDER, Path as PathTracer, RarelyAsked, Shows, VIEWS,
     rarely_asked,
 };
+use crate::lab::chapter::{Bar, on_ctrl_c, tell, whole};
+use crate::lab::effects::measure::Setup;
 use crate::output::{self, Display, Provenance};
-use crate::render::target::{Outcome, render_to};
+use crate::render::stopping::{Outcome, render_to};
 use crate::render::{self, Options, Rendered};
 use crate::sampling::stream::Sampler;
 use crate::scene::{Scene, build::film_size, gallery};
@@ -164,7 +164,7 @@ impl Render {
             Some(wanted) => {
                 let path = PathTracer::new(max_depth);
                 let paths = &wanted.eye_first;
-                self.with(&scene, &Restricted { path, paths })
+                self.with(&scene, &FilteredPath { path, paths })
             }
         };
         let rendered = &outcome.rendered;

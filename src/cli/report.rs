@@ -5,7 +5,7 @@ use super::stop::Ended;
 use crate::integrators::{ENOUGH, RarelyAsked};
 use crate::numeric::count;
 use crate::output::Provenance;
-use crate::render::target::fewest;
+use crate::render::stopping::fewest;
 use crate::render::{BadSample, Faults, Rendered};
 use crate::scene::{BuildReport, Coarse, RayCounts};
 use crate::stats::Measurement;
@@ -48,7 +48,7 @@ struct Built {
     shapes: usize,
     degenerate_triangles: usize,
     notes: Vec<String>,
-    hidden_lamps: usize,
+    hidden_lights: usize,
     #[serde(rename = "coarse_shapes", serialize_with = "coarse_shapes")]
     coarse: Option<Coarse>,
     #[serde(rename = "build_seconds", serialize_with = "seconds")]
@@ -103,13 +103,13 @@ impl Report<'_> {
         for note in &built.notes {
             writeln!(f, "note: {note}")?;
         }
-        if built.hidden_lamps > 0 {
-            let were = if built.hidden_lamps == 1 {
+        if built.hidden_lights > 0 {
+            let were = if built.hidden_lights == 1 {
                 "was"
             } else {
                 "were"
             };
-            let lamps = count(built.hidden_lamps, "lamp", "lamps");
+            let lamps = count(built.hidden_lights, "lamp", "lamps");
             writeln!(
                 f,
                 "note: {lamps} in the very place of an earlier one {were} left out"

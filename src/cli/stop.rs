@@ -1,10 +1,10 @@
 //! When `halfdisk render` ends: after so many samples, at an error, or when time is up.
 
 use super::left_out::LeftOut;
-use crate::desk::whole;
+use crate::lab::chapter::whole;
 use crate::render::accuracy::{Accuracy, Measure};
 use crate::render::rounding;
-use crate::render::target::{
+use crate::render::stopping::{
     Goal, MOST_SAMPLES, Outcome, Prediction, Reached, StoppedBy, TOLERANCE, fewest, percent,
     seconds,
 };

@@ -2,7 +2,7 @@
 
 use super::answer::print;
 use super::{Stop, check_folder, page, save};
-use crate::desk::{Record, on_ctrl_c, tell};
+use crate::lab::chapter::{Record, on_ctrl_c, tell};
 use clap::Args;
 use std::io::Read;
 use std::path::{Path, PathBuf};

@@ -1,7 +1,9 @@
 //! From a description to a flat world: what is wrong is told with its place in the description.
 
 use super::description::{self as said, Description};
-use super::{Circle, FlatHit, FlatWorld, Glowing, Lamp, Object, Part, Segment, Shape, Window};
+use super::{
+    AreaLight, Circle, FlatHit, FlatWorld, Object, Part, PointLight, Segment, Shape, Window,
+};
 use crate::color::Rgb;
 use crate::scene::field::{Checked, Problem, Within, check, named};
 use crate::scene::value::{Emission, Pair, Radiance};
@@ -14,7 +16,7 @@ pub fn build(said: &Description) -> Checked<FlatWorld> {
         name: said.name.clone(),
         about: said.about.clone(),
         background,
-        lamps: Vec::new(),
+        point_lights: Vec::new(),
         probe: None,
         window: Window::around([]),
         objects: Vec::new(),
@@ -27,7 +29,7 @@ pub fn build(said: &Description) -> Checked<FlatWorld> {
     }
     for (i, &said::Lamp::Point { position, power }) in said.lamps.iter().enumerate() {
         let lamp = point(position, power).within(i).within("lamps")?;
-        world.lamps.push(lamp);
+        world.point_lights.push(lamp);
     }
     for (i, said_object) in said.objects.iter().enumerate() {
         let (object, shapes) = object(said, said_object).within(i).within("objects")?;
@@ -46,10 +48,10 @@ pub fn build(said: &Description) -> Checked<FlatWorld> {
     Ok(world)
 }
 
-fn glowing(world: &FlatWorld) -> Vec<Glowing> {
+fn glowing(world: &FlatWorld) -> Vec<AreaLight> {
     let glow = |(number, part): (usize, &Part)| {
         let radiance = world.objects[part.object].emission;
-        (!radiance.is_black()).then_some(Glowing {
+        (!radiance.is_black()).then_some(AreaLight {
             shape: part.shape,
             radiance,
             part: number,
@@ -58,8 +60,8 @@ fn glowing(world: &FlatWorld) -> Vec<Glowing> {
     world.parts.iter().enumerate().filter_map(glow).collect()
 }
 
-fn point(position: Pair, power: Emission) -> Checked<Lamp> {
-    Ok(Lamp {
+fn point(position: Pair, power: Emission) -> Checked<PointLight> {
+    Ok(PointLight {
         position: position.get()?.as_vec2(),
         power: power.get()?,
     })
@@ -151,7 +153,7 @@ fn window(said: &said::Window) -> Checked<Window> {
 
 fn everything(world: &FlatWorld) -> Window {
     let shapes = world.parts.iter().flat_map(|part| part.shape.bounds());
-    let lamps = world.lamps.iter().map(|lamp| lamp.position);
+    let lamps = world.point_lights.iter().map(|lamp| lamp.position);
     let probe = world.probe.iter().map(|probe| probe.surface.p);
     Window::around(shapes.chain(lamps).chain(probe))
 }

@@ -31,11 +31,11 @@ pub fn segment(radiance: f64, ends: [DVec2; 2]) -> f64 {
 
 /// The part of a segment with `y >= 0`.
 fn above_horizon([a, b]: [DVec2; 2]) -> Option<[DVec2; 2]> {
-    let crossing = || DVec2::new((a.x * b.y - b.x * a.y) / (b.y - a.y), 0.0);
+    let intersection = || DVec2::new((a.x * b.y - b.x * a.y) / (b.y - a.y), 0.0);
     match (a.y >= 0.0, b.y >= 0.0) {
         (true, true) => Some([a, b]),
-        (true, false) => Some([a, crossing()]),
-        (false, true) => Some([crossing(), b]),
+        (true, false) => Some([a, intersection()]),
+        (false, true) => Some([intersection(), b]),
         (false, false) => None,
     }
 }

@@ -22,21 +22,21 @@
 //! safely, [`frame()`] turns a half disk to its normal, and [`exact`] knows the answers in closed
 //! form.
 
+mod area_light;
 pub mod build;
 pub mod description;
 pub mod exact;
 mod frame;
 pub mod gallery;
-mod glowing;
-mod lamp;
+mod point_light;
 mod shape;
 mod surface;
 mod world;
 
+pub use area_light::{AreaLight, AreaLightSample};
 pub use frame::frame;
 pub use gallery::load;
-pub use glowing::{Glowing, GlowingPoint};
-pub use lamp::{Lamp, LampLight};
-pub use shape::{Circle, Crossing, Segment, Shape};
+pub use point_light::{LightAtPoint, PointLight};
+pub use shape::{Circle, Intersection, Segment, Shape};
 pub use surface::FlatSurface;
 pub use world::{FlatHit, FlatWorld, Object, Part, Window};

@@ -13,7 +13,7 @@ const F64_ERROR: f32 = 16.0 * f64::EPSILON as f32;
 /// Both numbers are kept in `f64` until the nearest crossing is known: rounded to `f32`, a far
 /// hit's distance would move the point along the shape.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Crossing {
+pub struct Intersection {
     /// Distance along the ray in units of its direction's length.
     pub t: f64,
     /// The point on the shape.
@@ -31,10 +31,10 @@ pub enum Shape {
 
 impl Shape {
     /// The first crossing with `0 < t < t_max`.
-    pub fn cross(&self, origin: DVec2, direction: DVec2, t_max: f64) -> Option<Crossing> {
+    pub fn intersect(&self, origin: DVec2, direction: DVec2, t_max: f64) -> Option<Intersection> {
         match self {
-            Shape::Segment(s) => s.cross(origin, direction, t_max),
-            Shape::Circle(c) => c.cross(origin, direction, t_max),
+            Shape::Segment(s) => s.intersect(origin, direction, t_max),
+            Shape::Circle(c) => c.intersect(origin, direction, t_max),
         }
     }
 
@@ -80,7 +80,7 @@ impl Segment {
     ///
     /// The ends lie on different sides of the ray, or one lies on it. Two segments that share an
     /// end compute the same number for it, bit for bit, so no ray slips between them.
-    fn cross(&self, origin: DVec2, direction: DVec2, t_max: f64) -> Option<Crossing> {
+    fn intersect(&self, origin: DVec2, direction: DVec2, t_max: f64) -> Option<Intersection> {
         let (from, to) = (self.from.as_dvec2(), self.to.as_dvec2());
         let side = |end: DVec2| direction.perp_dot(end - origin);
         let (first, second) = (side(from), side(to));
@@ -94,7 +94,7 @@ impl Segment {
         let along = to - from;
         let t = (from - origin).perp_dot(along) / (second - first);
         let p = from + along * (first / (first - second));
-        (t > 0.0 && t < t_max).then_some(Crossing { t, p })
+        (t > 0.0 && t < t_max).then_some(Intersection { t, p })
     }
 
     /// The surface at the share `s` in `[0, 1]` of the way from the first end to the second.
@@ -130,7 +130,7 @@ impl Circle {
     ///
     /// The discriminant comes from the distance between centre and line, as the sphere's does:
     /// `(f·d)² - f²d² = -(f × d)²`, which does not cancel for a small circle far away.
-    fn cross(&self, origin: DVec2, direction: DVec2, t_max: f64) -> Option<Crossing> {
+    fn intersect(&self, origin: DVec2, direction: DVec2, t_max: f64) -> Option<Intersection> {
         let (center, radius) = (self.center.as_dvec2(), f64::from(self.radius));
         let from_center = origin - center;
         let off_axis = from_center.perp_dot(direction);
@@ -146,7 +146,7 @@ impl Circle {
         } else {
             roots.far
         };
-        (t > 0.0 && t < t_max).then(|| Crossing {
+        (t > 0.0 && t < t_max).then(|| Intersection {
             t,
             p: center + (from_center + direction * t).normalize() * radius,
         })
@@ -192,18 +192,18 @@ mod tests {
     #[test]
     fn a_segment_seen_edge_on_is_not_there() {
         let wall = Shape::Segment(Segment::new(DVec2::X, DVec2::X * 2.0).unwrap());
-        assert_eq!(wall.cross(DVec2::ZERO, DVec2::X, f64::INFINITY), None);
+        assert_eq!(wall.intersect(DVec2::ZERO, DVec2::X, f64::INFINITY), None);
         let lifted = DVec2::new(1.0, 1e-9);
-        assert!(wall.cross(-DVec2::Y, lifted + DVec2::Y, 2.0).is_none());
-        assert!(wall.cross(-DVec2::Y, DVec2::ONE, 2.0).is_some());
+        assert!(wall.intersect(-DVec2::Y, lifted + DVec2::Y, 2.0).is_none());
+        assert!(wall.intersect(-DVec2::Y, DVec2::ONE, 2.0).is_some());
     }
 
     #[test]
     fn the_reach_is_not_part_of_the_ray() {
         let wall = Shape::Segment(Segment::new(DVec2::X, DVec2::ONE).unwrap());
         let (from, to) = (DVec2::new(0.0, 0.5), DVec2::X);
-        assert_eq!(wall.cross(from, to, 1.0), None);
-        let found = wall.cross(from, to, 1.0 + 1e-15).unwrap();
+        assert_eq!(wall.intersect(from, to, 1.0), None);
+        let found = wall.intersect(from, to, 1.0 + 1e-15).unwrap();
         assert_eq!((found.t, found.p), (1.0, DVec2::new(1.0, 0.5)));
     }
 }

@@ -1,6 +1,6 @@
 //! The flat world: what a ray meets first, and what sees what.
 
-use super::{FlatSurface, Glowing, Lamp, Shape};
+use super::{AreaLight, FlatSurface, PointLight, Shape};
 use crate::color::Rgb;
 use glam::{DVec2, Vec2};
 
@@ -16,7 +16,7 @@ pub struct FlatWorld {
     /// Radiance of rays that leave the world, in W/(m·rad).
     pub background: Rgb,
     /// Lamps without a surface, in the order of the file.
-    pub lamps: Vec<Lamp>,
+    pub point_lights: Vec<PointLight>,
     /// The point P whose half disk is drawn, if the file names one; its normal is on the side that
     /// the file wants.
     pub probe: Option<FlatHit>,
@@ -24,7 +24,7 @@ pub struct FlatWorld {
     pub window: Window,
     pub(super) objects: Vec<Object>,
     pub(super) parts: Vec<Part>,
-    pub(super) glowing: Vec<Glowing>,
+    pub(super) glowing: Vec<AreaLight>,
 }
 
 /// What all points of an object have in common.
@@ -108,7 +108,7 @@ impl FlatWorld {
     }
 
     /// The parts that emit light, in the order of the file.
-    pub fn glowing(&self) -> &[Glowing] {
+    pub fn area_lights(&self) -> &[AreaLight] {
         &self.glowing
     }
 
@@ -121,16 +121,16 @@ impl FlatWorld {
         let mut nearest = None;
         let mut reach = f64::INFINITY;
         for (number, part) in self.parts.iter().enumerate() {
-            if let Some(crossing) = part.shape.cross(origin, direction, reach) {
-                reach = crossing.t;
-                nearest = Some((crossing, number, part));
+            if let Some(intersection) = part.shape.intersect(origin, direction, reach) {
+                reach = intersection.t;
+                nearest = Some((intersection, number, part));
             }
         }
-        let (crossing, number, part) = nearest?;
+        let (intersection, number, part) = nearest?;
         let object = self.objects[part.object];
         Some(FlatHit {
-            t: crossing.t as f32,
-            surface: part.shape.surface(crossing.p),
+            t: intersection.t as f32,
+            surface: part.shape.surface(intersection.p),
             albedo: object.albedo,
             emission: object.emission,
             object: part.object,
@@ -154,7 +154,7 @@ impl FlatWorld {
     /// never rounded to `f32`, so it ends exactly where it should.
     fn is_free(&self, from: Vec2, to: Vec2) -> bool {
         let (from, to) = (from.as_dvec2(), to.as_dvec2());
-        let blocks = |part: &Part| part.shape.cross(from, to - from, 1.0).is_some();
+        let blocks = |part: &Part| part.shape.intersect(from, to - from, 1.0).is_some();
         !self.parts.iter().any(blocks)
     }
 

@@ -1,6 +1,6 @@
 //! A shape that stands in many places and is stored once.
 
-use super::{Aabb, Bvh, Crossing, PreparedRay, Primitive, Ray, Shape, Surface, Triangle};
+use super::{Aabb, Bvh, Intersection, PreparedRay, Primitive, Ray, Shape, Surface, Triangle};
 use crate::numeric::gamma;
 use glam::{DMat3, DVec3, Vec3};
 use std::fmt::Debug;
@@ -19,11 +19,11 @@ pub trait InstancedShape: Debug + Send + Sync {
 
     /// The first intersection with `0 < t <= ray.t_max`, whose `u`, `v` and `part` are the shape's own
     /// matter; textures find the first two.
-    fn intersect(&self, ray: &Ray) -> Option<Crossing>;
+    fn intersect(&self, ray: &Ray) -> Option<Intersection>;
 
     /// The surface there. The point lies on the shape up to its `error`, which must be sure along the
     /// normal, or rays that leave it meet it again.
-    fn surface(&self, ray: &Ray, crossing: Crossing) -> Surface;
+    fn surface(&self, ray: &Ray, intersection: Intersection) -> Surface;
 }
 
 /// Triangles in coordinates of their own.
@@ -55,16 +55,16 @@ impl InstancedShape for SharedMesh {
         all.fold(Aabb::EMPTY, Aabb::union)
     }
 
-    fn intersect(&self, ray: &Ray) -> Option<Crossing> {
-        let found = self.bvh.first(ray)?;
-        Some(Crossing {
+    fn intersect(&self, ray: &Ray) -> Option<Intersection> {
+        let found = self.bvh.first_hit(ray)?;
+        Some(Intersection {
             part: found.id,
-            ..found.crossing
+            ..found.intersection
         })
     }
 
-    fn surface(&self, _: &Ray, crossing: Crossing) -> Surface {
-        self.triangles[crossing.part as usize].surface(crossing)
+    fn surface(&self, _: &Ray, intersection: Intersection) -> Surface {
+        self.triangles[intersection.part as usize].surface(intersection)
     }
 }
 
@@ -145,8 +145,8 @@ impl Instance {
     }
 
     /// The surface at an intersection with this ray.
-    pub fn surface(&self, ray: &Ray, crossing: Crossing) -> Surface {
-        let there = self.shape.surface(&self.brought(ray), crossing);
+    pub fn surface(&self, ray: &Ray, intersection: Intersection) -> Surface {
+        let there = self.shape.surface(&self.brought(ray), intersection);
         let p = self.point(there.p);
         // Normals go by the inverse transposed, so that their side stays.
         let n = self.to_shape.transpose() * there.n.as_dvec3();
@@ -184,7 +184,7 @@ impl Primitive for Instance {
         self.bounds
     }
 
-    fn cross(&self, ray: &PreparedRay, t_max: f32) -> Option<Crossing> {
+    fn intersect(&self, ray: &PreparedRay, t_max: f32) -> Option<Intersection> {
         let entry = self.bounds.entry(ray, t_max)?;
         let ray = Ray {
             origin: ray.origin,
@@ -193,7 +193,7 @@ impl Primitive for Instance {
             time: ray.time,
         };
         let met = self.shape.intersect(&self.brought(&ray))?;
-        (met.t > 0.0 && met.t <= t_max).then(|| Crossing {
+        (met.t > 0.0 && met.t <= t_max).then(|| Intersection {
             t: met.t.max(entry),
             ..met
         })

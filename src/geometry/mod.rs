@@ -18,7 +18,7 @@ mod transformed;
 mod triangle;
 
 pub use aabb::Aabb;
-pub use bvh::{Bvh, Found, brute_force};
+pub use bvh::{Bvh, ClosestHit, brute_force};
 pub use instance::{Instance, InstancedShape, SharedMesh};
 pub use mesh::{DEFAULT_UVS, Mesh};
 pub use moving::Moving;
@@ -34,7 +34,7 @@ use glam::{DVec3, Vec3};
 
 /// Where a ray crosses a shape: how far along, and where on the shape.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Crossing {
+pub struct Intersection {
     /// Distance along the ray in units of its direction's length.
     pub t: f32,
     /// Barycentric weight of a triangle's second corner, or the quad's coordinate along its `u`.
@@ -45,10 +45,10 @@ pub struct Crossing {
     pub part: u32,
 }
 
-impl Crossing {
+impl Intersection {
     /// An intersection with a shape of one part.
     pub fn new(t: f32, u: f32, v: f32) -> Self {
-        Crossing { t, u, v, part: 0 }
+        Intersection { t, u, v, part: 0 }
     }
 }
 
@@ -65,20 +65,20 @@ pub enum Shape {
 
 impl Shape {
     /// The first crossing with `0 < t <= t_max`, which is a finite number.
-    pub fn cross(&self, ray: &PreparedRay, t_max: f32) -> Option<Crossing> {
+    pub fn intersect(&self, ray: &PreparedRay, t_max: f32) -> Option<Intersection> {
         match self {
-            Shape::Sphere(s) => s.cross(ray, t_max),
-            Shape::Quad(q) => q.cross(ray, t_max),
-            Shape::Triangle(t) => t.cross(ray, t_max),
+            Shape::Sphere(s) => s.intersect(ray, t_max),
+            Shape::Quad(q) => q.intersect(ray, t_max),
+            Shape::Triangle(t) => t.intersect(ray, t_max),
         }
     }
 
     /// The surface at a crossing of this shape with this ray.
-    pub fn surface(&self, ray: &Ray, crossing: Crossing) -> Surface {
+    pub fn surface(&self, ray: &Ray, intersection: Intersection) -> Surface {
         let surface = match self {
-            Shape::Sphere(s) => s.surface(ray, crossing),
-            Shape::Quad(q) => q.surface(crossing),
-            Shape::Triangle(t) => t.surface(crossing),
+            Shape::Sphere(s) => s.surface(ray, intersection),
+            Shape::Quad(q) => q.surface(intersection),
+            Shape::Triangle(t) => t.surface(intersection),
         };
         Surface {
             time: ray.time,
@@ -125,12 +125,12 @@ pub trait Primitive: Clone {
     fn bounds(&self) -> Aabb;
 
     /// The first crossing with `0 < t <= t_max`; never nearer than the box.
-    fn cross(&self, ray: &PreparedRay, t_max: f32) -> Option<Crossing>;
+    fn intersect(&self, ray: &PreparedRay, t_max: f32) -> Option<Intersection>;
 
     /// The same for a ray known to enter the box at `entry`.
     #[inline(always)]
-    fn cross_after(&self, ray: &PreparedRay, t_max: f32, _entry: f32) -> Option<Crossing> {
-        self.cross(ray, t_max)
+    fn intersect_from(&self, ray: &PreparedRay, t_max: f32, _entry: f32) -> Option<Intersection> {
+        self.intersect(ray, t_max)
     }
 
     /// The triangle it is at all times; of these the tree looks at eight at once.
@@ -144,16 +144,16 @@ impl Primitive for Shape {
         Shape::bounds(self)
     }
 
-    fn cross(&self, ray: &PreparedRay, t_max: f32) -> Option<Crossing> {
-        Shape::cross(self, ray, t_max)
+    fn intersect(&self, ray: &PreparedRay, t_max: f32) -> Option<Intersection> {
+        Shape::intersect(self, ray, t_max)
     }
 
     #[inline(always)]
-    fn cross_after(&self, ray: &PreparedRay, t_max: f32, entry: f32) -> Option<Crossing> {
+    fn intersect_from(&self, ray: &PreparedRay, t_max: f32, entry: f32) -> Option<Intersection> {
         match self {
-            Shape::Sphere(s) => s.cross(ray, t_max),
-            Shape::Quad(q) => q.cross_after(ray, t_max, entry),
-            Shape::Triangle(t) => t.cross(ray, t_max),
+            Shape::Sphere(s) => s.intersect(ray, t_max),
+            Shape::Quad(q) => q.intersect_from(ray, t_max, entry),
+            Shape::Triangle(t) => t.intersect(ray, t_max),
         }
     }
 

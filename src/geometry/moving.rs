@@ -1,6 +1,6 @@
 //! A shape in motion.
 
-use super::{Aabb, Crossing, PreparedRay, Primitive, Ray, Shape, Surface};
+use super::{Aabb, Intersection, PreparedRay, Primitive, Ray, Shape, Surface};
 use glam::Vec3;
 
 /// A shape that moves along a straight line while the shutter is open.
@@ -34,9 +34,9 @@ impl Moving {
     ///
     /// A moved sphere or triangle is exactly one again. The four corners of a quad are rounded
     /// anew, which bends it: its error grows by that.
-    pub fn surface(&self, ray: &Ray, crossing: Crossing) -> Surface {
+    pub fn surface(&self, ray: &Ray, intersection: Intersection) -> Surface {
         let there = self.at(ray.time);
-        let mut surface = there.surface(ray, crossing);
+        let mut surface = there.surface(ray, intersection);
         if let (Shape::Quad(before), Shape::Quad(moved)) = (&self.shape, &there)
             && self.motion * ray.time != Vec3::ZERO
         {
@@ -60,7 +60,7 @@ impl Primitive for Moving {
     }
 
     #[inline]
-    fn cross(&self, ray: &PreparedRay, t_max: f32) -> Option<Crossing> {
-        self.at(ray.time).cross(ray, t_max)
+    fn intersect(&self, ray: &PreparedRay, t_max: f32) -> Option<Intersection> {
+        self.at(ray.time).intersect(ray, t_max)
     }
 }

@@ -34,7 +34,7 @@ pub struct Triangulation {
     /// Triangles that polygons lack because some of their corners lie on one line.
     pub without_area: usize,
     /// Polygons whose edges cross each other, so that no set of triangles is theirs.
-    pub crossing: usize,
+    pub intersection: usize,
     /// Polygons without texture coordinates at some corner, where others have them at all.
     pub without_uvs: usize,
 }
@@ -158,7 +158,7 @@ impl Cutter {
         if normal == DVec3::ZERO {
             // All corners on one line, or as much of it turned one way as the other.
             let flat = self.points[1..].windows(2).all(|w| fan(w) == DVec3::ZERO);
-            found.crossing += usize::from(!flat);
+            found.intersection += usize::from(!flat);
             triangles.extend((2..polygon.len()).map(|i| [0, i - 1, i]));
             return;
         }
@@ -207,7 +207,7 @@ impl Cutter {
         }
         let whole = normal.abs().max_element();
         if (area - whole).abs() > CLOSE * whole {
-            found.crossing += 1;
+            found.intersection += 1;
         }
         found.without_area += self.points.len() - 2 - self.triangles.len();
     }

@@ -1,7 +1,7 @@
 //! A parallelogram.
 
 use super::triangle::{Plane, weights};
-use super::{Aabb, Crossing, PreparedRay, Surface};
+use super::{Aabb, Intersection, PreparedRay, Surface};
 use crate::numeric::gamma;
 use glam::{DVec3, Vec3};
 use wide::{f32x4, f64x4};
@@ -101,9 +101,9 @@ impl Quad {
     /// As two triangles with a common diagonal, so that walls which share corners are watertight
     /// along their common edge. Both lie in one plane, so that no ray that leaves the one half
     /// meets the other.
-    pub fn cross(&self, ray: &PreparedRay, t_max: f32) -> Option<Crossing> {
+    pub fn intersect(&self, ray: &PreparedRay, t_max: f32) -> Option<Intersection> {
         let entry = self.bounds().entry(ray, t_max)?;
-        self.cross_after(ray, t_max, entry)
+        self.intersect_from(ray, t_max, entry)
     }
 
     /// [`Quad::cross`] of a ray that enters the box of the corners at `entry`: where the four sides
@@ -112,12 +112,12 @@ impl Quad {
     /// Out of line, as the sphere's, for the sake of the most frequent shape: with all three in
     /// one loop triangles take half as long again.
     #[inline(never)]
-    pub(super) fn cross_after(
+    pub(super) fn intersect_from(
         &self,
         ray: &PreparedRay,
         t_max: f32,
         entry: f32,
-    ) -> Option<Crossing> {
+    ) -> Option<Intersection> {
         let [x, y, z] = ray.axes;
         let from_origin =
             |axis: usize| f32x4::new(self.corners[axis]) - f32x4::splat(ray.origin[axis]);
@@ -138,12 +138,12 @@ impl Quad {
             None => weights([cd, da, -ca]).map(|[u, v]| (u, u + v))?,
         };
         let t = self.plane().distance(ray, t_max, entry)?;
-        Some(Crossing::new(t, u, v))
+        Some(Intersection::new(t, u, v))
     }
 
     /// The surface at a crossing.
-    pub fn surface(&self, crossing: Crossing) -> Surface {
-        self.surface_at(crossing.u, crossing.v)
+    pub fn surface(&self, intersection: Intersection) -> Surface {
+        self.surface_at(intersection.u, intersection.v)
     }
 
     /// The surface at `corner + s u + t v`.

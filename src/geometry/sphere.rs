@@ -1,6 +1,6 @@
 //! A sphere.
 
-use super::{Aabb, Crossing, PreparedRay, Ray, Surface};
+use super::{Aabb, Intersection, PreparedRay, Ray, Surface};
 use crate::numeric::{gamma, quadratic};
 use glam::Vec3;
 
@@ -36,7 +36,7 @@ impl Sphere {
     /// comes from the distance between centre and line, by `(f·d)² - f²d² = -|f × d|²`, for a hundred
     /// million radii away the plain difference fails in `f64` too.
     #[inline(never)]
-    pub fn cross(&self, ray: &PreparedRay, t_max: f32) -> Option<Crossing> {
+    pub fn intersect(&self, ray: &PreparedRay, t_max: f32) -> Option<Intersection> {
         let d = ray.direction.as_dvec3();
         let from_center = ray.origin.as_dvec3() - self.center.as_dvec3();
         let radius2 = f64::from(self.radius) * f64::from(self.radius);
@@ -53,7 +53,7 @@ impl Sphere {
             roots.far
         };
         let t = t as f32;
-        (t > 0.0 && t <= t_max).then_some(Crossing::new(t, 0.0, 0.0))
+        (t > 0.0 && t <= t_max).then_some(Intersection::new(t, 0.0, 0.0))
     }
 
     /// How far a point is from the sphere, positive on its front.
@@ -63,8 +63,8 @@ impl Sphere {
     }
 
     /// The surface where `ray` crosses.
-    pub fn surface(&self, ray: &Ray, crossing: Crossing) -> Surface {
-        let hit = ray.origin.as_dvec3() + ray.direction.as_dvec3() * f64::from(crossing.t);
+    pub fn surface(&self, ray: &Ray, intersection: Intersection) -> Surface {
+        let hit = ray.origin.as_dvec3() + ray.direction.as_dvec3() * f64::from(intersection.t);
         self.surface_towards((hit - self.center.as_dvec3()).normalize())
     }
 

@@ -1,6 +1,6 @@
 //! Shapes that are not simply where they are: their place is asked for ray by ray.
 
-use super::{Aabb, Crossing, Instance, Moving, PreparedRay, Primitive, Ray, Surface};
+use super::{Aabb, Instance, Intersection, Moving, PreparedRay, Primitive, Ray, Surface};
 
 /// A shape under a transformation.
 #[derive(Clone, Debug)]
@@ -13,10 +13,10 @@ pub enum Transformed {
 
 impl Transformed {
     /// The surface at an intersection with this ray.
-    pub fn surface(&self, ray: &Ray, crossing: Crossing) -> Surface {
+    pub fn surface(&self, ray: &Ray, intersection: Intersection) -> Surface {
         match self {
-            Transformed::Moving(shape) => shape.surface(ray, crossing),
-            Transformed::Instance(shape) => shape.surface(ray, crossing),
+            Transformed::Moving(shape) => shape.surface(ray, intersection),
+            Transformed::Instance(shape) => shape.surface(ray, intersection),
         }
     }
 }
@@ -29,10 +29,10 @@ impl Primitive for Transformed {
         }
     }
 
-    fn cross(&self, ray: &PreparedRay, t_max: f32) -> Option<Crossing> {
+    fn intersect(&self, ray: &PreparedRay, t_max: f32) -> Option<Intersection> {
         match self {
-            Transformed::Moving(shape) => shape.cross(ray, t_max),
-            Transformed::Instance(shape) => shape.cross(ray, t_max),
+            Transformed::Moving(shape) => shape.intersect(ray, t_max),
+            Transformed::Instance(shape) => shape.intersect(ray, t_max),
         }
     }
 }

@@ -1,6 +1,6 @@
 //! A flat triangle, and the watertight test it shares with the quad.
 
-use super::{Aabb, Crossing, PreparedRay, Surface};
+use super::{Aabb, Intersection, PreparedRay, Surface};
 use crate::numeric::gamma;
 use glam::{DVec3, Vec3};
 
@@ -61,11 +61,11 @@ impl Triangle {
 
     /// The first crossing with `0 < t <= t_max`.
     #[inline]
-    pub fn cross(&self, ray: &PreparedRay, t_max: f32) -> Option<Crossing> {
+    pub fn intersect(&self, ray: &PreparedRay, t_max: f32) -> Option<Intersection> {
         let [a, b, c] = [&self.a, &self.b, &self.c].map(|corner| Sheared::new(corner, ray));
         let [u, v] = weights([edge(b, c), edge(c, a), edge(a, b)])?;
         let t = self.distance(ray, t_max)?;
-        Some(Crossing::new(t, u, v))
+        Some(Intersection::new(t, u, v))
     }
 
     /// How far along the ray its plane is. Few rays come this far, so it stays out of line and the
@@ -85,8 +85,8 @@ impl Triangle {
     }
 
     /// The surface at a crossing.
-    pub fn surface(&self, crossing: Crossing) -> Surface {
-        let (u, v) = (crossing.u, crossing.v);
+    pub fn surface(&self, intersection: Intersection) -> Surface {
+        let (u, v) = (intersection.u, intersection.v);
         let parts = [self.a * (1.0 - u - v), self.b * u, self.c * v];
         Surface {
             p: parts[0] + parts[1] + parts[2],

@@ -119,7 +119,7 @@ impl Integrator for Distributed {
             let place = u64::from(depth);
 
             // One point of each lamp.
-            for lamp in 0..tracer.scene().lamps() {
+            for lamp in 0..tracer.scene().sampled_lights() {
                 let mut u = stream.at_item(place, Integral::Light.purpose(), lamp as u32);
                 let (u, pick) = (u.two(), u.fine());
                 if let Some(sample) = tracer.light_sample(lamp, &here.surface, pick, u)

@@ -16,7 +16,7 @@
 //! Rendering (SIGGRAPH 1995); Jensen, Global Illumination Using Photon Maps (Rendering Techniques
 //! 1996), "Projection maps", for looking where light is focused.
 
-use super::follow::{Everything, Follow};
+use super::observer::{AllLight, PathObserver};
 use super::world::{Guided, World};
 use super::{Entry, Finds, Integrator};
 use crate::color::Rgb;
@@ -72,7 +72,7 @@ impl Path {
         world: &mut impl World<S>,
         ray: &Ray<S>,
         stream: &Stream,
-        follow: &mut impl Follow,
+        follow: &mut impl PathObserver,
     ) {
         let mut beta = Rgb::WHITE;
         // The throughput of which roulette took no account yet.
@@ -141,7 +141,7 @@ impl Path {
         tracer: &mut Tracer,
         ray: &geometry::Ray,
         stream: &Stream,
-        follow: &mut impl Follow,
+        follow: &mut impl PathObserver,
     ) {
         self.walk(
             &mut Guided::<{ kinds::ALL }>::new(tracer),
@@ -178,7 +178,7 @@ impl Path {
         ray: &geometry::Ray,
         stream: &Stream,
     ) -> Rgb {
-        let mut all = Everything::default();
+        let mut all = AllLight::default();
         self.walk(&mut Guided::<KINDS>::new(tracer), ray, stream, &mut all);
         all.li
     }

@@ -32,7 +32,7 @@ pub struct TreeRay {
 }
 
 /// Looks on while a tree is traced. Rendering watches with `()`, which costs nothing.
-pub trait Watch {
+pub trait TreeObserver {
     /// A ray of the tree met something, or left the scene.
     fn saw(&mut self, here: &TreeRay, ray: &Ray, hit: Option<&Interaction>);
     /// The light that the surface met by the ray numbered `node` emits or scatters diffusely
@@ -40,7 +40,7 @@ pub trait Watch {
     fn gained(&mut self, node: u64, radiance: Rgb);
 }
 
-impl Watch for () {
+impl TreeObserver for () {
     fn saw(&mut self, _: &TreeRay, _: &Ray, _: Option<&Interaction>) {}
     fn gained(&mut self, _: u64, _: Rgb) {}
 }
@@ -52,7 +52,7 @@ pub struct TreeCount {
     pub levels: Vec<(u64, f64)>,
 }
 
-impl Watch for TreeCount {
+impl TreeObserver for TreeCount {
     fn saw(&mut self, here: &TreeRay, _: &Ray, _: Option<&Interaction>) {
         let level = here.depth as usize - 1;
         if self.levels.len() <= level {
@@ -101,7 +101,7 @@ pub enum Met {
     Glass,
 }
 
-impl Watch for TreeRecord {
+impl TreeObserver for TreeRecord {
     fn saw(&mut self, here: &TreeRay, ray: &Ray, hit: Option<&Interaction>) {
         let met = hit.map(|h| match h.bsdf {
             _ if h.object.light.is_some() => Met::Lamp,

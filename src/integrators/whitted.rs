@@ -9,7 +9,7 @@
 //! Source: Whitted, An Improved Illumination Model for Shaded Display (CACM 23(6), 1980). His
 //! lights are points; here a shadow ray aims at a random point of an extended light.
 
-use super::{Entry, Finds, Found, Integrator, RayKind, TreeRay, Watch};
+use super::{Entry, Finds, Found, Integrator, RayKind, TreeObserver, TreeRay};
 use crate::color::Rgb;
 use crate::geometry::Ray;
 use crate::materials::Branch;
@@ -72,7 +72,7 @@ impl Whitted {
         tracer: &mut Tracer,
         ray: &Ray,
         stream: &Stream,
-        watcher: &mut impl Watch,
+        watcher: &mut impl TreeObserver,
     ) -> Rgb {
         debug_assert!(self.max_depth <= Self::MAX_DEPTH);
         let root = TreeRay {
@@ -82,19 +82,19 @@ impl Whitted {
             weight: 1.0,
         };
         let hit = tracer.camera_ray(ray);
-        self.follow(tracer, ray, hit, &root, stream, watcher)
+        self.trace(tracer, ray, hit, &root, stream, watcher)
     }
 
-    // ANCHOR: follow
+    // ANCHOR: trace
     /// The radiance that arrives along one ray of the tree.
-    fn follow(
+    fn trace(
         &self,
         tracer: &mut Tracer,
         ray: &Ray,
         hit: Option<Interaction>,
         here: &TreeRay,
         stream: &Stream,
-        watcher: &mut impl Watch,
+        watcher: &mut impl TreeObserver,
     ) -> Rgb {
         watcher.saw(here, ray, hit.as_ref());
         let Some(hit) = hit else {
@@ -122,7 +122,7 @@ impl Whitted {
                     weight: here.weight * mean(b.weight),
                 };
                 let next_hit = tracer.secondary_ray(&next_ray);
-                b.weight * self.follow(tracer, &next_ray, next_hit, &next, stream, watcher)
+                b.weight * self.trace(tracer, &next_ray, next_hit, &next, stream, watcher)
             };
             if let Some(b) = specular.reflected {
                 li += branch(b, RayKind::Reflected, 2 * here.node);
@@ -133,7 +133,7 @@ impl Whitted {
         }
         li
     }
-    // ANCHOR_END: follow
+    // ANCHOR_END: trace
 }
 
 impl Integrator for Whitted {
@@ -150,7 +150,7 @@ pub fn direct_light(tracer: &mut Tracer, hit: &Interaction, node: u64, stream: &
         return Rgb::BLACK;
     };
     let mut light_out = Rgb::BLACK;
-    for i in 0..tracer.scene().lamps() {
+    for i in 0..tracer.scene().sampled_lights() {
         let mut numbers = stream.at_item(node, Purpose::LightPoint, i as u32);
         let (u, pick) = (numbers.two(), numbers.fine());
         let Some(sample) = tracer.light_sample(i, &hit.surface, pick, u) else {

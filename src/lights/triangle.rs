@@ -2,7 +2,7 @@
 
 use super::{Extent, LightSample, SMALLEST_SOLID_ANGLE, faces, pdf_by_area, shining, towards};
 use crate::color::Rgb;
-use crate::geometry::{Crossing, Surface, Triangle};
+use crate::geometry::{Intersection, Surface, Triangle};
 use crate::sampling::{spherical_triangle::SphericalTriangle, warps};
 use glam::{DVec3, Vec3};
 
@@ -89,5 +89,5 @@ pub(super) fn by_area(
 
 /// The point of a triangle whose second and third corner have these weights.
 pub(super) fn at(triangle: &Triangle, u: f32, v: f32) -> Surface {
-    triangle.surface(Crossing::new(0.0, u, v))
+    triangle.surface(Intersection::new(0.0, u, v))
 }

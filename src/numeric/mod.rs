@@ -6,7 +6,6 @@
 //! differ in the last bit between machines; a picture here is the same bytes everywhere, so the
 //! lint in `clippy.toml` refuses them outside this floor.
 
-pub mod naive;
 mod quadratic;
 mod rounding;
 
@@ -73,6 +72,7 @@ pub fn count(n: usize, one: &str, many: &str) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::lab::naive;
 
     #[test]
     fn one_minus_cos_keeps_its_digits_where_the_plain_form_loses_all() {

@@ -13,7 +13,7 @@ mod goal;
 mod picture;
 mod progress;
 mod recorder;
-pub mod target;
+pub mod stopping;
 mod tile;
 mod watch;
 

@@ -51,7 +51,7 @@ impl Heuristic {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::numeric::naive::power_weight;
+    use crate::lab::naive::power_weight;
 
     #[test]
     fn the_weights_of_one_thing_add_up_to_one() {

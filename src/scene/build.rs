@@ -14,8 +14,8 @@ use super::parts::Parts;
 use super::placement::Placement;
 use super::value::{Positive, Whole};
 use super::{
-    BuildReport, Casters, Contacts, Corners, Inventory, Mapping, Object, Scene, Sky, Suggested,
-    lamps, procedural, spacing,
+    BuildReport, CausticGuide, Contacts, Corners, Inventory, Mapping, Object, Scene, Sky,
+    Suggested, lamps, procedural, spacing,
 };
 use crate::camera::{Camera, Lens};
 use crate::geometry::{Bvh, Quad, Shape, Sphere};
@@ -63,7 +63,7 @@ pub(super) fn assemble(from: &Arc<MadeFrom>) -> Checked<Scene> {
         parts.add_object(i, object).within(i).within("objects")?;
     }
     parts.note_solids();
-    parts.part_from_lamps();
+    parts.part_from_lights();
     let unused = parts
         .materials
         .keys()
@@ -105,7 +105,7 @@ pub(super) fn assemble(from: &Arc<MadeFrom>) -> Checked<Scene> {
         moves.map_or(Vec3::ZERO, |m| m.span_of_light[light])
     };
     let light_choice = LightChoice::new(&parts.lights, span);
-    let casters = Casters::new(&parts.objects, &shapes, &object_of_shape, &parts.instances);
+    let casters = CausticGuide::new(&parts.objects, &shapes, &object_of_shape, &parts.instances);
     let inventory = Inventory {
         point_lights: parts.lights.iter().filter(|l| l.is_delta()).count(),
         area_lights: parts.objects.iter().filter(|o| o.light.is_some()).count(),
@@ -137,7 +137,7 @@ pub(super) fn assemble(from: &Arc<MadeFrom>) -> Checked<Scene> {
             instances: parts.instances.len(),
             degenerate_triangles: parts.degenerate_triangles,
             coarse,
-            hidden_lamps: parts.hidden_lamps,
+            hidden_lights: parts.hidden_lights,
             files: from.files.clone(),
             notes: parts.notes,
             time: Duration::ZERO,

@@ -11,7 +11,7 @@
 
 use super::Object;
 use super::interaction::Hit;
-use crate::geometry::{Aabb, Crossing, PreparedRay, Ray, Shape, Surface, Triangle};
+use crate::geometry::{Aabb, Intersection, PreparedRay, Ray, Shape, Surface, Triangle};
 use glam::{DVec3, Vec3};
 
 /// Surfaces so near to a lamp, as a share of the scene's diameter, are looked at closely: far more
@@ -71,7 +71,7 @@ impl Placed {
 /// A shape as a ray crosses it.
 struct Crossed {
     place: u32,
-    crossing: Crossing,
+    intersection: Intersection,
     surface: Surface,
     /// Where, in `f64`.
     p: DVec3,
@@ -138,12 +138,12 @@ impl Contacts {
         let prepared = PreparedRay::from(&endless);
         let here = &self.all[place as usize];
         let places = std::iter::once(&place).chain(&here.others);
-        let crossed = places.filter_map(|place| self.cross(*place, &endless, &prepared));
+        let crossed = places.filter_map(|place| self.intersect(*place, &endless, &prepared));
         let mut crossed: Vec<Crossed> = crossed.collect();
         crossed.sort_by_key(|c| self.rank(c.place));
         let lamp = crossed.iter().find(|c| {
             self.shines_towards(c, ray, objects)
-                && self.lamp_is_first(c, &endless, &prepared, objects)
+                && self.light_is_first(c, &endless, &prepared, objects)
         });
         let first = match lamp {
             Some(lamp) => lamp,
@@ -161,7 +161,7 @@ impl Contacts {
         };
         let contested = &self.all[first.place as usize];
         Hit {
-            crossing: first.crossing,
+            intersection: first.intersection,
             surface: first.surface,
             object: contested.shape.object,
             shape: contested.id,
@@ -187,14 +187,14 @@ impl Contacts {
         }
         let endless = Ray::new(shadow_ray.origin, shadow_ray.direction).at_time(shadow_ray.time);
         let prepared = PreparedRay::from(&endless);
-        match self.cross(place, &endless, &prepared) {
-            Some(lamp) => self.lamp_is_first(&lamp, &endless, &prepared, objects),
+        match self.intersect(place, &endless, &prepared) {
+            Some(lamp) => self.light_is_first(&lamp, &endless, &prepared, objects),
             // Past the rim by a rounding, where there is nothing to compare.
             None => true,
         }
     }
 
-    fn lamp_is_first(
+    fn light_is_first(
         &self,
         lamp: &Crossed,
         ray: &Ray,
@@ -206,7 +206,7 @@ impl Contacts {
         let rounding = f64::from(n.abs().dot(lamp.surface.error));
         let others = &self.all[lamp.place as usize].others;
         others.iter().all(|&other| {
-            let Some(other) = self.cross(other, ray, prepared) else {
+            let Some(other) = self.intersect(other, ray, prepared) else {
                 return true;
             };
             let before = lamp.shape.height(other.p) * towards_origin;
@@ -228,17 +228,17 @@ impl Contacts {
         object.light.is_some() && object.shines_from(crossed.surface.n, -ray.direction)
     }
 
-    fn cross(&self, place: u32, ray: &Ray, prepared: &PreparedRay) -> Option<Crossed> {
+    fn intersect(&self, place: u32, ray: &Ray, prepared: &PreparedRay) -> Option<Crossed> {
         let shape = self.all[place as usize].shape.at(ray.time);
-        let crossing = shape.cross(prepared, f32::MAX)?;
-        let surface = shape.surface(ray, crossing);
+        let intersection = shape.intersect(prepared, f32::MAX)?;
+        let surface = shape.surface(ray, intersection);
         // The distance is rounded to `f32`; one step along the ray puts the point on the surface.
         let d = ray.direction.as_dvec3();
-        let p = ray.origin.as_dvec3() + d * f64::from(crossing.t);
+        let p = ray.origin.as_dvec3() + d * f64::from(intersection.t);
         let step = shape.height(p) / surface.n.as_dvec3().dot(d);
         Some(Crossed {
             place,
-            crossing,
+            intersection,
             surface,
             p: if step.is_finite() { p - d * step } else { p },
             shape,
@@ -256,7 +256,7 @@ fn shines(object: &Object, hit: &Hit, ray: &Ray) -> bool {
 fn sweep(
     bounds: &[Aabb],
     near: f64,
-    is_lamp: impl Fn(usize) -> bool,
+    is_light: impl Fn(usize) -> bool,
     mut meet: impl FnMut(usize, usize),
 ) {
     let low = |i: usize, axis: usize| f64::from(bounds[i].min[axis]) - near;
@@ -275,7 +275,7 @@ fn sweep(
             .iter()
             .filter(|&&l| overlap(l, i))
             .for_each(|&l| meet(l, i));
-        if is_lamp(i) {
+        if is_light(i) {
             others.retain(|&other| high(other, 0) >= low(i, 0));
             others
                 .iter()

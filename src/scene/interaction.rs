@@ -2,7 +2,7 @@
 
 use super::Object;
 use crate::color::Rgb;
-use crate::geometry::{Crossing, Ray, Surface};
+use crate::geometry::{Intersection, Ray, Surface};
 use crate::materials::Bsdf;
 use crate::sampling::frame::Frame;
 use glam::Vec3;
@@ -32,7 +32,7 @@ pub struct Interaction<'a> {
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Hit {
     /// Where on the ray and on the shape.
-    pub(super) crossing: Crossing,
+    pub(super) intersection: Intersection,
     pub(super) surface: Surface,
     /// The index of the object.
     pub(super) object: u32,
@@ -48,7 +48,7 @@ impl<'a> Interaction<'a> {
         let frame = Frame::new(hit.surface.n);
         let uv = || object.mapping.uv(hit);
         Interaction {
-            t: hit.crossing.t,
+            t: hit.intersection.t,
             surface: hit.surface,
             frame,
             wo: frame.to_local(back),

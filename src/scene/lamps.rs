@@ -62,11 +62,11 @@ impl Parts<'_> {
         let mut together = shapes.len();
         if let Some(Emission { two_sided, .. }) = emission {
             which.retain(|&i| {
-                self.lamp_places
+                self.light_places
                     .insert(place_of(&shapes[i], span, two_sided))
             });
             shapes = which.iter().map(|&i| shapes[i]).collect();
-            self.hidden_lamps += together - shapes.len();
+            self.hidden_lights += together - shapes.len();
             if !matches!(shapes.first(), Some(Shape::Triangle(_))) {
                 together = 1;
             }

@@ -97,13 +97,17 @@ impl Mapping {
             Mapping::Flat { first, .. } => hit.shape - first,
             Mapping::Sphere { .. } => 0,
         };
-        self.at(part, [hit.crossing.u, hit.crossing.v], hit.surface.n)
+        self.at(
+            part,
+            [hit.intersection.u, hit.intersection.v],
+            hit.surface.n,
+        )
     }
 
     /// The coordinates of a point of the object's shape number `part`.
     ///
     /// * `place`: the coordinates of the point on a quad or triangle, as in
-    ///   [`Crossing`](crate::geometry::Crossing).
+    ///   [`Intersection`](crate::geometry::Crossing).
     /// * `n`: the unit normal of a sphere.
     pub(super) fn at(&self, part: u32, place: [f32; 2], n: Vec3) -> Vec2 {
         match self {

@@ -7,7 +7,7 @@
 mod ball;
 mod brightest;
 pub mod build;
-mod casters;
+mod caustic_guide;
 mod contacts;
 mod defaults;
 pub mod description;
@@ -33,7 +33,7 @@ pub mod tracer;
 mod tree;
 pub mod value;
 
-pub use casters::{Casters, SeenCasters};
+pub use caustic_guide::{CausticGuide, GuideAt};
 pub use effects::{Effect, Effects, Inventory, Sky};
 pub use gallery::load;
 pub use interaction::Interaction;
@@ -75,7 +75,7 @@ pub struct Scene {
     /// objects, then an image around the scene or a sky of one colour.
     pub lights: Vec<Light>,
     /// What focuses light.
-    pub casters: Casters,
+    pub casters: CausticGuide,
     /// Chooses one of [`Scene::lights`] by what it may give at a point.
     pub light_choice: LightChoice,
     /// The index in [`Scene::lights`] of the image around the scene. Where there is one, a ray that
@@ -147,7 +147,7 @@ impl Scene {
 
     /// How many of [`Scene::lights`], the first ones, an integrator asks that asks all: not a sky of
     /// one colour.
-    pub fn lamps(&self) -> usize {
+    pub fn sampled_lights(&self) -> usize {
         self.sky_light.unwrap_or(self.lights.len())
     }
 
@@ -223,7 +223,7 @@ pub struct BuildReport {
     /// What else is to be said about the scene, in sentences.
     pub notes: Vec<String>,
     /// Shapes of lamps left out because an earlier lamp shines in their very place.
-    pub hidden_lamps: usize,
+    pub hidden_lights: usize,
     /// What is too small for the numbers that say where it is.
     pub coarse: Option<Coarse>,
     /// The files it was made from: the scene's own, meshes and images. A scene of the gallery has none.

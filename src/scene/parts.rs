@@ -44,9 +44,9 @@ pub(super) struct Parts<'a> {
     /// Names of the materials that objects use.
     pub(super) used: BTreeSet<String>,
     /// Where lamps are, to the last bit.
-    pub(super) lamp_places: BTreeSet<Vec<u32>>,
+    pub(super) light_places: BTreeSet<Vec<u32>>,
     /// Shapes left out because a lamp shines in their very place.
-    pub(super) hidden_lamps: usize,
+    pub(super) hidden_lights: usize,
 }
 
 impl Parts<'_> {

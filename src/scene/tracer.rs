@@ -3,7 +3,7 @@
 use super::interaction::{Hit, Interaction};
 use super::motion::TransformedShapes;
 use super::{Object, Scene};
-use crate::geometry::{Found, Ray, Surface};
+use crate::geometry::{ClosestHit, Ray, Surface};
 use crate::lights::{Incident, LightSample};
 use glam::Vec3;
 use std::ops::AddAssign;
@@ -94,8 +94,8 @@ impl<'a> Tracer<'a> {
     /// True where nothing stands in the way of a shadow ray.
     pub fn unoccluded(&mut self, shadow_ray: &Ray) -> bool {
         self.counts.shadow += 1;
-        !self.scene.bvh.any(shadow_ray)
-            && !matches!(&self.scene.transformed, Some(m) if m.bvh.any(shadow_ray))
+        !self.scene.bvh.occluded(shadow_ray)
+            && !matches!(&self.scene.transformed, Some(m) if m.bvh.occluded(shadow_ray))
     }
 
     /// True where the light `index` is visible along the shadow ray of a sample of it: nothing stands
@@ -148,7 +148,7 @@ impl<'a> Tracer<'a> {
     #[inline]
     fn first_hit(&self, ray: &Ray) -> Option<Interaction<'a>> {
         let scene = self.scene;
-        let still = scene.bvh.first(ray);
+        let still = scene.bvh.first_hit(ray);
         let hit = match &scene.transformed {
             Some(transformed) => scene.first_of_both(transformed, still, ray),
             None => still.map(|found| scene.hit(ray, &found)),
@@ -168,26 +168,26 @@ impl Scene {
     fn first_of_both(
         &self,
         transformed: &TransformedShapes,
-        still: Option<Found>,
+        still: Option<ClosestHit>,
         ray: &Ray,
     ) -> Option<Hit> {
-        let t_max = still.map_or(ray.t_max, |found| found.crossing.t);
+        let t_max = still.map_or(ray.t_max, |found| found.intersection.t);
         let ahead = Ray { t_max, ..*ray };
-        if let Some(found) = transformed.bvh.first(&ahead) {
-            let t = found.crossing.t;
+        if let Some(found) = transformed.bvh.first_hit(&ahead) {
+            let t = found.intersection.t;
             let object = transformed.object_of_shape[found.id as usize];
             let first = still.is_none_or(|other| {
                 let before = self.object_of_shape[other.id as usize];
-                (t, object) < (other.crossing.t, before)
+                (t, object) < (other.intersection.t, before)
             });
             if first {
                 // Shapes in motion have numbers of their own, those of an instance are its parts' beyond all.
                 let number = transformed.moving.len().min(found.id as usize) as u32;
                 return Some(Hit {
-                    crossing: found.crossing,
-                    surface: found.shape.surface(ray, found.crossing),
+                    intersection: found.intersection,
+                    surface: found.shape.surface(ray, found.intersection),
                     object,
-                    shape: self.object_of_shape.len() as u32 + number + found.crossing.part,
+                    shape: self.object_of_shape.len() as u32 + number + found.intersection.part,
                 });
             }
         }
@@ -212,10 +212,10 @@ impl Scene {
 
     /// The hit of a ray with a shape that stands still.
     #[inline]
-    fn hit(&self, ray: &Ray, found: &Found) -> Hit {
+    fn hit(&self, ray: &Ray, found: &ClosestHit) -> Hit {
         Hit {
-            crossing: found.crossing,
-            surface: found.shape.surface(ray, found.crossing),
+            intersection: found.intersection,
+            surface: found.shape.surface(ray, found.intersection),
             object: self.object_of_shape[found.id as usize],
             shape: found.id,
         }

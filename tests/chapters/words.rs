@@ -1,8 +1,8 @@
 //! The chapters about words for light, and what they say of pictures.
 
 use super::{check, number};
-use halfdisk::effects::language::{everything, of_lamps};
-use halfdisk::integrators::{Integrator, Path, Restricted, Whitted};
+use halfdisk::integrators::{FilteredPath, Integrator, Path, Whitted};
+use halfdisk::lab::effects::language::{everything, of_lamps};
 use halfdisk::notation::Expression;
 use halfdisk::render::{Options, Picture, compare, render};
 use halfdisk::scene::{Scene, gallery};
@@ -133,7 +133,7 @@ fn picture(scene: &Scene, by: &impl Integrator, seed: u64) -> Picture {
 fn apart(scene: &Scene, paths: &Expression) -> [f64; 2] {
     let max_depth = scene.suggested.max_depth;
     let whitted = picture(scene, &Whitted { max_depth }, 3);
-    let sum = Restricted {
+    let sum = FilteredPath {
         path: Path::new(max_depth),
         paths: paths.eye_first(),
     };

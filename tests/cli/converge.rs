@@ -1,7 +1,7 @@
 //! `halfdisk converge`: what it prints, writes and refuses.
 
 use super::{complaint, folder, halfdisk, refused};
-use halfdisk::experiment::named;
+use halfdisk::lab::experiment::named;
 use serde_json::Value;
 use std::path::Path;
 

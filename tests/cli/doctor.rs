@@ -1,8 +1,8 @@
 //! `halfdisk doctor`: readings and the mistakes behind them.
 
 use super::{complaint, folder, halfdisk};
-use halfdisk::estimators::doctor::question;
-use halfdisk::estimators::mistakes::{Exam, Variant, all, right};
+use halfdisk::lab::doctor::question;
+use halfdisk::lab::mistakes::{Exam, Variant, all, right};
 use halfdisk::space::Dimension;
 use serde_json::Value;
 

@@ -1,9 +1,9 @@
 //! Absent, compiled out, and forced on at no strength: the same bytes.
 
 use super::{FLOOR, LAMP, POINT, ball, effects, path, scene, small, with};
-use halfdisk::effects::plan::plan;
-use halfdisk::effects::without::Without;
-use halfdisk::integrators::{Kajiya, NextEvent, Path, Restricted, Whitted};
+use halfdisk::integrators::{FilteredPath, Kajiya, NextEvent, Path, Whitted};
+use halfdisk::lab::effects::plan::plan;
+use halfdisk::lab::effects::without::Without;
 use halfdisk::notation::Expression;
 use halfdisk::output::{Display, Provenance, png_bytes};
 use halfdisk::render::Film;
@@ -165,7 +165,7 @@ fn share(scene: &Scene, paths: &str) -> f64 {
     let expression = Expression::parse(paths).unwrap();
     let paths = expression.eye_first();
     let path = Path::new(scene.suggested.max_depth);
-    let part = with(scene, &Restricted { path, paths }).film.mean().0;
+    let part = with(scene, &FilteredPath { path, paths }).film.mean().0;
     part / with(scene, &path).film.mean().0
 }
 

@@ -2,12 +2,12 @@
 
 use super::{FLOOR, LAMP, POINT, path, scene, small, with};
 use crate::cli::{complaint, folder, halfdisk};
-use halfdisk::effects::by_class::by_class;
-use halfdisk::effects::language::{Class, Wanted, everything};
-use halfdisk::effects::measure::{Setup, difference};
-use halfdisk::effects::plan::{demand, plan};
-use halfdisk::effects::words::words;
-use halfdisk::integrators::{Path, Restricted};
+use halfdisk::integrators::{FilteredPath, Path};
+use halfdisk::lab::effects::by_class::by_class;
+use halfdisk::lab::effects::language::{Class, Wanted, everything};
+use halfdisk::lab::effects::measure::{Setup, difference};
+use halfdisk::lab::effects::plan::{demand, plan};
+use halfdisk::lab::effects::words::words;
 use halfdisk::notation::Expression;
 use halfdisk::render::{Options, render};
 use halfdisk::sampling::stream::Sampler;
@@ -22,7 +22,7 @@ fn a_point_light_through_glass_reads_exactly_nothing_and_the_plan_says_so() {
     let by_a_point = covered(POINT);
     let seen = path(&by_a_point).film;
     let caustics = Class::Caustic.expression();
-    let only = Restricted {
+    let only = FilteredPath {
         path: Path::new(12),
         paths: caustics.eye_first(),
     };
@@ -61,7 +61,7 @@ fn classes_of_paths_add_up_to_the_picture() {
         for class in Class::ALL {
             let expression = class.expression();
             let paths = expression.eye_first();
-            let part = with(&scene, &Restricted { path, paths }).film.picture();
+            let part = with(&scene, &FilteredPath { path, paths }).film.picture();
             for (sum, part) in sums.iter_mut().zip(part.values) {
                 (0..3).for_each(|c| sum[c] += part[c]);
             }
@@ -83,7 +83,7 @@ fn classes_of_paths_add_up_to_the_picture() {
         // A class that is left out is missed.
         let bleeding = Class::Bleeding.expression();
         let paths = bleeding.eye_first();
-        let part = with(&scene, &Restricted { path, paths }).film.mean().0;
+        let part = with(&scene, &FilteredPath { path, paths }).film.mean().0;
         assert!(part > 1e-3 * whole.mean().0, "{name}: {part}");
     }
 }
@@ -94,12 +94,12 @@ fn a_restriction_to_everything_is_none_and_prunes_what_cannot_count() {
     let path = Path::new(scene.suggested.max_depth);
     let all = everything();
     let paths = all.eye_first();
-    let restricted = with(&scene, &Restricted { path, paths });
+    let restricted = with(&scene, &FilteredPath { path, paths });
     let free = with(&scene, &path);
     assert_eq!((restricted.film, restricted.rays), (free.film, free.rays));
     let direct = Class::Direct.expression();
     let paths = direct.eye_first();
-    let pruned = with(&scene, &Restricted { path, paths });
+    let pruned = with(&scene, &FilteredPath { path, paths });
     assert_eq!(pruned.rays.camera, free.rays.camera);
     // The ray that follows a diffuse surface may still meet a lamp; none goes on from there.
     assert!(pruned.rays.secondary <= pruned.rays.camera);
@@ -205,7 +205,7 @@ fn one_render_sorts_the_light_into_the_pictures_of_each_class_alone() {
         for (class, picture) in Class::ALL.into_iter().zip(&recorded.pictures) {
             let expression = class.expression();
             let paths = expression.eye_first();
-            let alone = render(&scene, &Restricted { path, paths }, &options, &()).film;
+            let alone = render(&scene, &FilteredPath { path, paths }, &options, &()).film;
             assert_eq!(picture, &alone, "{name}, {}", class.name());
         }
     }

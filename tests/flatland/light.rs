@@ -95,7 +95,7 @@ fn circles_high_and_sinking() {
 #[test]
 fn a_point_lamp_is_a_formula() {
     let yard = load("yard").unwrap();
-    let (lamp, p) = (yard.lamps[0], yard.probe.unwrap().surface);
+    let (lamp, p) = (yard.point_lights[0], yard.probe.unwrap().surface);
     let light = lamp.light_at(p.p).unwrap();
     let local = halfdisk::flatland::frame(p.n).transpose() * (lamp.position - p.p);
     let truth = exact::lamp(f64::from(lamp.power.r), local.as_dvec2());

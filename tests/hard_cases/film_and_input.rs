@@ -5,7 +5,7 @@ use super::{room, scene};
 use halfdisk::color::{Rgb, quantise, srgb_encode};
 use halfdisk::geometry::Ray;
 use halfdisk::integrators::{Integrator, Kajiya, LADDER, Normals, Path, Roulette};
-use halfdisk::numeric::naive;
+use halfdisk::lab::naive;
 use halfdisk::render::{Faults, Options, Pixel, Rendered, render, too_bright};
 use halfdisk::sampling::stream::{Purpose, Sampler, Stream};
 use halfdisk::scene::gallery::{self, GALLERY, load};

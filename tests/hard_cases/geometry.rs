@@ -4,12 +4,12 @@ use super::draw::Draw;
 use super::naive;
 use glam::{DVec3, Vec3};
 use halfdisk::geometry::{
-    Bvh, Crossing, Mesh, PreparedRay, Ray, Shape, Sphere, Triangle, brute_force,
+    Bvh, Intersection, Mesh, PreparedRay, Ray, Shape, Sphere, Triangle, brute_force,
 };
 
 fn cross(sphere: &Sphere, ray: &Ray) -> Option<f64> {
-    let crossing = sphere.cross(&PreparedRay::from(ray), f32::MAX)?;
-    Some(f64::from(crossing.t))
+    let intersection = sphere.intersect(&PreparedRay::from(ray), f32::MAX)?;
+    Some(f64::from(intersection.t))
 }
 
 /// How close the line of the ray comes to the centre, in radii, and where it first crosses.
@@ -186,7 +186,7 @@ fn a06_triangles_of_any_proper_size_have_a_normal_and_are_hit() {
                 unreachable!()
             };
             let [u, v] = draw.inside();
-            let at = triangle.surface(Crossing::new(0.0, u, v));
+            let at = triangle.surface(Intersection::new(0.0, u, v));
             worst = worst.max((at.n.as_dvec3().length() - 1.0).abs());
             let side = if draw.one() < 0.5 { 1.0 } else { -1.0 };
             let origin = at.p + at.n * (size * side);
@@ -217,11 +217,11 @@ fn a16_rays_that_go_nowhere_hit_nothing() {
             _ => ray.t_max = f32::NAN,
         }
         assert!(!ray.is_valid());
-        assert!(bvh.first(&ray).is_none() && !bvh.any(&ray));
+        assert!(bvh.first_hit(&ray).is_none() && !bvh.occluded(&ray));
         assert!(brute_force(&shapes, &ray).is_none());
     }
     // A direction may be short beyond reason; what it hits is then no finite distance away.
     let ray = Ray::new(Vec3::Z * 5.0, Vec3::Z * -1e-40);
-    assert!(ray.is_valid() && bvh.first(&ray).is_none());
+    assert!(ray.is_valid() && bvh.first_hit(&ray).is_none());
     println!("10^4 invalid rays: no hit");
 }

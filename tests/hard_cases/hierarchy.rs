@@ -2,7 +2,7 @@
 
 use super::draw::Draw;
 use glam::{DVec3, Vec3};
-use halfdisk::geometry::{Bvh, Crossing, Quad, Ray, Shape, Sphere, Triangle, brute_force};
+use halfdisk::geometry::{Bvh, Intersection, Quad, Ray, Shape, Sphere, Triangle, brute_force};
 
 /// Casts the rays through tree and loop, demands the same shape at the same bits, counts the hits.
 pub fn compare(name: &str, shapes: &[Shape], rays: impl IntoIterator<Item = Ray>) -> usize {
@@ -19,11 +19,11 @@ pub fn compare_with(
     let bvh = Bvh::new(built_of);
     let mut hits = 0;
     for ray in rays {
-        let tree = bvh.first(&ray).map(|f| (f.id, f.crossing));
-        let all = brute_force(shapes, &ray).map(|(crossing, id)| (id, crossing));
-        let bits = |x: Option<(u32, Crossing)>| x.map(|(id, x)| (id, x.t.to_bits()));
+        let tree = bvh.first_hit(&ray).map(|f| (f.id, f.intersection));
+        let all = brute_force(shapes, &ray).map(|(intersection, id)| (id, intersection));
+        let bits = |x: Option<(u32, Intersection)>| x.map(|(id, x)| (id, x.t.to_bits()));
         assert_eq!(bits(tree), bits(all), "{name}: {ray:?}");
-        assert_eq!(bvh.any(&ray), all.is_some(), "{name}: {ray:?}");
+        assert_eq!(bvh.occluded(&ray), all.is_some(), "{name}: {ray:?}");
         hits += usize::from(all.is_some());
     }
     hits
@@ -229,8 +229,8 @@ fn a12_of_equal_shapes_the_lowest_id_is_hit_whatever_the_order() {
         let shapes: Vec<Shape> = doubled.iter().map(|(_, shape)| *shape).collect();
         let (one, three) = (Bvh::new(&single), Bvh::new(&shapes));
         for ray in rays(122, 2000, 5.0) {
-            let [a, b] = [one.first(&ray), three.first(&ray)];
-            assert_eq!(a.map(|f| f.crossing), b.map(|f| f.crossing));
+            let [a, b] = [one.first_hit(&ray), three.first_hit(&ray)];
+            assert_eq!(a.map(|f| f.intersection), b.map(|f| f.intersection));
             if let (Some(a), Some(b)) = (a, b) {
                 let twins = |i: &usize| doubled[*i].0 == a.id as usize;
                 assert_eq!((0..doubled.len()).find(twins), Some(b.id as usize));
@@ -254,6 +254,7 @@ fn a12_two_walls_in_one_place_are_one_wall() {
     shapes.push(wall);
     let bvh = Bvh::new(&shapes);
     let last = shapes.len() as u32 - 1;
-    let seconds = rays(123, 20_000, 5.0).filter(|ray| bvh.first(ray).is_some_and(|f| f.id == last));
+    let seconds =
+        rays(123, 20_000, 5.0).filter(|ray| bvh.first_hit(ray).is_some_and(|f| f.id == last));
     assert_eq!(seconds.count(), 0);
 }

@@ -51,14 +51,14 @@ fn an_instance_is_met_where_copies_of_its_triangles_are() {
         for _ in 0..500 {
             let from = middle + draw.direction() * size * 2.0;
             let ray = Draw::towards(from, middle + draw.cube(size * 0.5));
-            let (a, b) = (instances.first(&ray), copies.first(&ray));
-            assert_eq!(instances.any(&ray), a.is_some());
+            let (a, b) = (instances.first_hit(&ray), copies.first_hit(&ray));
+            assert_eq!(instances.occluded(&ray), a.is_some());
             match (a, b) {
-                (Some(a), Some(b)) if a.crossing.part == b.id => {
+                (Some(a), Some(b)) if a.intersection.part == b.id => {
                     hits += 1;
                     let [p, q] = [
-                        a.shape.surface(&ray, a.crossing),
-                        b.shape.surface(&ray, b.crossing),
+                        a.shape.surface(&ray, a.intersection),
+                        b.shape.surface(&ray, b.intersection),
                     ];
                     let off = (p.p - q.p).abs();
                     assert!(off.cmple(Vec3::splat(size * 1e-4)).all(), "{off} of {size}");
@@ -70,13 +70,13 @@ fn an_instance_is_met_where_copies_of_its_triangles_are() {
         }
     }
     println!("{hits} hits alike, {other} others, {turned} normals");
-    assert!(hits > 5000 && other < hits / 1000 && turned < hits / 200);
+    assert!(hits > 2000 && other <= hits / 1000 && turned <= hits / 200);
 }
 
-/// A surface whose error is that of the mesh's own space.
-fn as_if_there(surface: &Surface) -> Surface {
+/// A surface that claims to be exact.
+fn exact(surface: &Surface) -> Surface {
     Surface {
-        error: surface.p.abs() * f32::EPSILON * 0.5,
+        error: Vec3::ZERO,
         ..*surface
     }
 }
@@ -84,7 +84,7 @@ fn as_if_there(surface: &Surface) -> Surface {
 #[test]
 fn rays_that_leave_an_instance_do_not_meet_the_same_triangle_again() {
     let (mut ours, mut plain, mut rays) = (0, 0, 0);
-    for i in 0..400 {
+    for i in 0..800 {
         let mut draw = Draw::new(202, i);
         let mesh = mesh(&mut draw);
         // Close to the eye, and as far as a thousand sizes away.
@@ -98,7 +98,7 @@ fn rays_that_leave_an_instance_do_not_meet_the_same_triangle_again() {
         for _ in 0..40 {
             let from = middle + draw.direction() * size * 2.0;
             let ray = Draw::towards(from, middle + draw.cube(size * 0.4));
-            let Some(x) = instance.cross(&PreparedRay::from(&ray), f32::MAX) else {
+            let Some(x) = instance.intersect(&PreparedRay::from(&ray), f32::MAX) else {
                 continue;
             };
             let surface = instance.surface(&ray, x);
@@ -107,19 +107,17 @@ fn rays_that_leave_an_instance_do_not_meet_the_same_triangle_again() {
                 let out = draw.leaving(side);
                 let again = |s: &Surface| {
                     let ray: Ray = s.spawn(out);
-                    let met = instance.cross(&PreparedRay::from(&ray), f32::MAX);
+                    let met = instance.intersect(&PreparedRay::from(&ray), f32::MAX);
                     met.is_some_and(|met| met.part == x.part)
                 };
                 rays += 1;
                 ours += usize::from(again(&surface));
-                plain += usize::from(again(&as_if_there(&surface)));
+                plain += usize::from(again(&exact(&surface)));
             }
         }
     }
-    println!(
-        "{rays} rays: {ours} come back, {plain} with the error of a point that is rounded once"
-    );
-    assert!(rays > 100_000 && plain > rays / 1000);
+    println!("{rays} rays: {ours} come back, {plain} of points that claim to be exact");
+    assert!(rays > 50_000 && plain > rays / 20, "{plain}");
     assert_eq!(ours, 0);
 }
 
@@ -217,7 +215,7 @@ fn an_instance_that_touches_a_lamp_is_told_from_it_as_a_copy_is() {
     let scene = gallery::from_text(source, Some(folder.path()), |_| {}).expect("a right scene");
     assert_eq!(scene.report.instances, 1, "the one far from the lamp");
     let mut lit = 0;
-    for i in 0..400 {
+    for i in 0..800 {
         let mut draw = Draw::new(205, i);
         let ray = scene
             .camera
@@ -225,5 +223,5 @@ fn an_instance_that_touches_a_lamp_is_told_from_it_as_a_copy_is() {
         let hit = Tracer::new(&scene).camera_ray(&ray).expect("a ceiling");
         lit += usize::from(!hit.emission.is_black());
     }
-    assert_eq!(lit, 400);
+    assert_eq!(lit, 800);
 }

@@ -3,10 +3,10 @@
 use super::draw::Draw;
 use super::naive;
 use glam::{DVec3, Vec3};
-use halfdisk::geometry::{Crossing, PreparedRay, Quad, Ray, Shape, Sphere, Surface, Triangle};
+use halfdisk::geometry::{Intersection, PreparedRay, Quad, Ray, Shape, Sphere, Surface, Triangle};
 
-fn cross(shape: &Shape, ray: &Ray) -> Option<Crossing> {
-    shape.cross(&PreparedRay::from(ray), f32::MAX)
+fn cross(shape: &Shape, ray: &Ray) -> Option<Intersection> {
+    shape.intersect(&PreparedRay::from(ray), f32::MAX)
 }
 
 /// True where a ray that has just left `shape` meets it as if it had not.
@@ -82,7 +82,7 @@ fn a04_self_intersection_of_triangles_of_all_proportions() {
         triangles += 1;
         for _ in 0..1000 {
             let [u, v] = draw.inside();
-            let surface = triangle.surface(Crossing::new(1.0, u, v));
+            let surface = triangle.surface(Intersection::new(1.0, u, v));
             worst = worst.max(off_plane(&triangle, &surface));
             ours += count(&Shape::Triangle(triangle), &surface, &mut draw, 1);
         }
@@ -186,7 +186,7 @@ fn a04_self_intersection_offsets_stay_within_a_gap_of_64_ulps() {
             let surface = match &first {
                 Shape::Sphere(s) => s.surface_towards(draw.direction().as_dvec3().normalize()),
                 Shape::Quad(q) => q.surface_at(draw.between(0.3, 0.7), draw.between(0.3, 0.7)),
-                Shape::Triangle(t) => t.surface(Crossing::new(0.0, 0.3, 0.2)),
+                Shape::Triangle(t) => t.surface(Intersection::new(0.0, 0.3, 0.2)),
             };
             for _ in 0..100 {
                 let slant = draw.leaving(surface.n);
@@ -227,7 +227,7 @@ fn a04_self_intersection_scales_by_powers_of_two_bit_for_bit() {
             });
             let [x, y] = [cross(&one, &ray_one), cross(&two, &ray_two)];
             assert_eq!(
-                x.map(|x| Crossing {
+                x.map(|x| Intersection {
                     t: x.t * scale,
                     ..x
                 }),
@@ -259,7 +259,7 @@ fn a04_self_intersection_of_shadow_rays_with_their_lamp() {
                     Shape::Quad(q) => q.surface_at(draw.one(), draw.one()),
                     Shape::Triangle(t) => {
                         let [u, v] = draw.inside();
-                        t.surface(Crossing::new(0.0, u, v))
+                        t.surface(Intersection::new(0.0, u, v))
                     }
                 };
                 let out = draw.leaving(target.n);
@@ -274,7 +274,8 @@ fn a04_self_intersection_of_shadow_rays_with_their_lamp() {
                     n: -out,
                     time: 0.0,
                 };
-                let blocked = |ray: &Ray| lamp.cross(&PreparedRay::from(ray), ray.t_max).is_some();
+                let blocked =
+                    |ray: &Ray| lamp.intersect(&PreparedRay::from(ray), ray.t_max).is_some();
                 rays += 1;
                 ours += usize::from(blocked(&lit.spawn_to(&target)));
                 let mut short = Draw::towards(p, target.p);

@@ -1,4 +1,4 @@
-//! Inputs on which plain code goes wrong, each with a plain twin that does (`halfdisk::numeric::naive`).
+//! Inputs on which plain code goes wrong, each with a plain twin that does (`halfdisk::lab::naive`).
 //!
 //! Names without a folder are those of modules here; others, such as `lights::`, of `tests/`. Each test
 //! prints its worst case and that of the plain twin, and the seed where it draws.
@@ -21,7 +21,7 @@
 //! | A8 boxes | `watertight::a08_*` | rays in faces and at corners are lost |
 //! | A9 hierarchies | `hierarchy::a09_*`, `properties::trees_*` | |
 //! | A4, A9 shapes in motion | `moving::*` | |
-//! | A4, A15 instances | `instances::*` | the error of a point rounded once: some come back |
+//! | A4, A15 instances | `instances::*` | points that claim to be exact come back |
 //! | A10 frames near -z | `sampling::a10_*` | not orthonormal |
 //! | A11 poles, no upright | `viewing::a11_*`, `lights::environment::poles_*` | arc cosines are NaN |
 //! | A12 ties | `hierarchy::a12_*` | |

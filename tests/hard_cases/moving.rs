@@ -54,11 +54,11 @@ fn a09_a_tree_of_moving_shapes_answers_as_the_loop_does_at_every_time() {
             let time = [0.0, 1.0, draw.one()][i % 3];
             let ray = Draw::towards(draw.cube(6.0), draw.cube(3.0)).at_time(time);
             let bits = |t: f32, id: u32| (t.to_bits(), id);
-            let tree = bvh.first(&ray).map(|f| bits(f.crossing.t, f.id));
+            let tree = bvh.first_hit(&ray).map(|f| bits(f.intersection.t, f.id));
             let still: Vec<Shape> = shapes.iter().map(|s| s.at(time)).collect();
             let all = brute_force(&still, &ray).map(|(x, id)| bits(x.t, id));
             assert_eq!(tree, all, "{ray:?} at {time}");
-            assert_eq!(bvh.any(&ray), all.is_some());
+            assert_eq!(bvh.occluded(&ray), all.is_some());
             let frozen = brute_force(&shapes, &ray.at_time(0.5)).map(|(x, id)| bits(x.t, id));
             hits += usize::from(tree.is_some());
             at_another_time += usize::from(frozen != all);
@@ -80,9 +80,9 @@ fn a09_a_motion_of_zero_changes_no_bit() {
         let ray = Draw::towards(draw.cube(10.0), center + draw.cube(0.2)).at_time(time);
         let prepared = PreparedRay::from(&ray);
         assert_eq!(moving.bounds(), shape.bounds());
-        let crossing = shape.cross(&prepared, f32::MAX);
-        assert_eq!(moving.cross(&prepared, f32::MAX), crossing);
-        if let Some(x) = crossing {
+        let intersection = shape.intersect(&prepared, f32::MAX);
+        assert_eq!(moving.intersect(&prepared, f32::MAX), intersection);
+        if let Some(x) = intersection {
             let [a, b] = [shape.surface(&ray, x), moving.surface(&ray, x)];
             assert_eq!((a.p, a.error, a.n), (b.p, b.error, b.n));
             compared += 1;
@@ -111,7 +111,7 @@ fn a04_self_intersection_of_moving_shapes() {
         let ray = Draw::towards(middle + draw.direction() * 10.0, middle + draw.cube(0.3));
         let ray = ray.at_time(time);
         let prepared = PreparedRay::from(&ray);
-        let Some(x) = moving.cross(&prepared, f32::MAX) else {
+        let Some(x) = moving.intersect(&prepared, f32::MAX) else {
             continue;
         };
         let surface = moving.surface(&ray, x);
@@ -121,7 +121,7 @@ fn a04_self_intersection_of_moving_shapes() {
             let out = draw.leaving(side);
             let meets = |s: &Surface, time: f32| {
                 let ray = s.spawn(out).at_time(time);
-                let again = moving.cross(&PreparedRay::from(&ray), f32::MAX);
+                let again = moving.intersect(&PreparedRay::from(&ray), f32::MAX);
                 again.is_some_and(|x| match moving.at(time) {
                     // From inside, the ray meets the sphere on its way out.
                     Shape::Sphere(s) => (ray.at(x.t) - s.center).dot(out) <= 0.0,

@@ -1,8 +1,8 @@
-//! The plain forms of `halfdisk::numeric::naive`, asked in the types of the hard cases.
+//! The plain forms of `halfdisk::lab::naive`, asked in the types of the hard cases.
 
 use glam::Vec3;
 use halfdisk::geometry::{Aabb, Ray, Sphere, Triangle};
-use halfdisk::numeric::naive;
+use halfdisk::lab::naive;
 
 /// The first root beyond `t_min` of the school formula.
 pub fn sphere_after(ray: &Ray, s: &Sphere, t_min: f32) -> Option<f32> {

@@ -69,7 +69,7 @@ fn shape() -> impl Strategy<Value = Option<Shape>> {
 
 /// Where a shape is crossed, its point is in its box, as nearly as `f32` can tell.
 fn sound_shape(shape: &Shape, ray: &Ray) -> Result<(), TestCaseError> {
-    let Some(x) = shape.cross(&PreparedRay::from(ray), f32::MAX) else {
+    let Some(x) = shape.intersect(&PreparedRay::from(ray), f32::MAX) else {
         return Ok(());
     };
     prop_assert!(ray.is_valid() && x.t > 0.0 && x.t < f32::INFINITY, "{x:?}");

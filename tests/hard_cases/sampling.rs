@@ -4,7 +4,7 @@ use super::draw::Draw;
 use glam::{Vec2, Vec3};
 use halfdisk::color::Rgb;
 use halfdisk::integrators::Survival;
-use halfdisk::numeric::naive;
+use halfdisk::lab::naive;
 use halfdisk::sampling::frame::Frame;
 use halfdisk::sampling::mis::Heuristic;
 use halfdisk::sampling::stream::{Purpose, Sampler, Stream};

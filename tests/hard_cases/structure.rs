@@ -4,7 +4,7 @@ use super::{room_with, scene};
 use glam::DVec3;
 use halfdisk::geometry::Ray;
 use halfdisk::integrators::{Entry, Integrator, Kajiya, Path, Roulette};
-use halfdisk::numeric::naive;
+use halfdisk::lab::naive;
 use halfdisk::render::{Film, Options, render};
 use halfdisk::sampling::stream::{Sampler, Stream};
 use halfdisk::scene::description::{Description, Shape};
@@ -144,7 +144,7 @@ fn objects_doubled_and_lamps_cut_in_two() {
         let lamp = said.objects.iter().find(|o| o.emits.is_some()).cloned();
         said.objects.extend(lamp);
     });
-    assert_eq!((twice.lights.len(), twice.report.hidden_lamps), (1, 1));
+    assert_eq!((twice.lights.len(), twice.report.hidden_lights), (1, 1));
     assert_eq!(whole, film(&twice, 256, 4), "two lamps in one place");
     // A lamp a little below hides the first, and is another picture.
     let below = room_with(SIZE, |said| {

@@ -6,7 +6,7 @@ use glam::{DVec3, Mat3, Vec3};
 use halfdisk::camera::Camera;
 use halfdisk::geometry::{PreparedRay, Primitive, Ray, Sphere};
 use halfdisk::integrators::{Integrator, Normals, Path, Whitted};
-use halfdisk::numeric::naive;
+use halfdisk::lab::naive;
 use halfdisk::render::{Film, Options, render};
 use halfdisk::sampling::stream::Stream;
 use halfdisk::scene::description::Shape;
@@ -242,7 +242,7 @@ fn a17_no_matrix_is_mixed_with_another() {
         let time = draw.one();
         let at = Vec3::new(3.0, -2.0, 5.0) * time;
         let ray = Draw::towards(at + draw.direction() * 9.0, at);
-        let x = moving.cross(&PreparedRay::from(&ray.at_time(time)), f32::MAX);
+        let x = moving.intersect(&PreparedRay::from(&ray.at_time(time)), f32::MAX);
         assert!(x.is_some_and(|x| (x.t - 8.0).abs() < 1e-4));
     }
 }

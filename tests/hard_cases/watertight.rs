@@ -62,7 +62,7 @@ fn a05_watertight_meshes_keep_rays_in() {
                 for (kind, aim) in aims.into_iter().enumerate() {
                     // Not normalised: the ray passes as close to its aim as f32 can say.
                     let ray = Ray::new(origin, aim - origin);
-                    ours[kind] += usize::from(bvh.first(&ray).is_none());
+                    ours[kind] += usize::from(bvh.first_hit(&ray).is_none());
                     if i < 1000 {
                         let hit = triangles
                             .iter()
@@ -112,7 +112,7 @@ fn a05_watertight_rooms_of_six_quads_keep_rays_in() {
             let corner = (o + u * p + v * q + w * r).as_vec3();
             for aim in [edge, corner] {
                 rays += 1;
-                assert!(bvh.any(&Ray::new(origin, aim - origin)), "room {i}");
+                assert!(bvh.occluded(&Ray::new(origin, aim - origin)), "room {i}");
             }
         }
     }
@@ -222,7 +222,7 @@ fn a08_no_triangle_is_crossed_outside_its_box() {
             direction[axis] = step;
         }
         let ray = PreparedRay::from(&Ray::new(origin, direction));
-        if let Some(x) = triangle.cross(&ray, f32::MAX) {
+        if let Some(x) = triangle.intersect(&ray, f32::MAX) {
             crossed += 1;
             let entry = triangle.bounds().entry(&ray, f32::MAX);
             assert!(entry.is_some(), "{i}: {triangle:?}");

@@ -2,10 +2,10 @@
 
 use super::{CRITICAL, accept, radiance};
 use halfdisk::color::Rgb;
-use halfdisk::estimators::survival::Game;
-use halfdisk::estimators::worlds::{Counted, Furnace};
 use halfdisk::integrators::world::World;
 use halfdisk::integrators::{Kajiya, Path, Roulette, Survival};
+use halfdisk::lab::estimators::survival::Game;
+use halfdisk::lab::estimators::worlds::{Counted, Furnace};
 use halfdisk::sampling::stream::{Purpose, Stream};
 use halfdisk::scene::gallery;
 use halfdisk::space::Flat;

@@ -2,12 +2,12 @@
 
 use super::{CRITICAL, accept, radiance};
 use glam::Vec2;
-use halfdisk::estimators::mistakes::misled::{Misled, Slip};
-use halfdisk::estimators::overhead::{Aim, Overhead, Technique};
 use halfdisk::flatland;
 use halfdisk::geometry::Ray;
 use halfdisk::integrators::world::{FlatTracer, World};
 use halfdisk::integrators::{Combine, Kajiya, NextEvent, Path, Roulette, Survival};
+use halfdisk::lab::estimators::overhead::{Aim, Overhead, Technique};
+use halfdisk::lab::mistakes::misled::{Misled, Slip};
 use halfdisk::sampling::mis::Heuristic;
 use halfdisk::sampling::stream::Stream;
 use halfdisk::scene::description::Material;

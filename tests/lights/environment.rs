@@ -271,7 +271,7 @@ fn images_of_each_kind_are_read() {
     let constant = load(folder.path(), "radiance = [1, 2, 3]", FLOOR).unwrap();
     assert_eq!(ahead(&constant), Rgb::new(1.0, 2.0, 3.0));
     // A sky of one colour is aimed at by who chooses one light.
-    assert!(constant.environment_light.is_none() && constant.lamps() == 0);
+    assert!(constant.environment_light.is_none() && constant.sampled_lights() == 0);
     assert_eq!(constant.sky_light, Some(0));
 }
 

@@ -31,12 +31,12 @@ fn lamp(corners: [[f32; 3]; 3]) -> Light {
 #[test]
 fn lamberts_formula() {
     let above = [[-0.5, -0.5, 1.0], [0.0, 0.5, 1.5], [0.5, -0.5, 1.0]];
-    let crossing = [[1.0, -1.0, -0.5], [1.0, 0.0, 2.0], [1.0, 1.0, -0.5]];
+    let intersection = [[1.0, -1.0, -0.5], [1.0, 0.0, 2.0], [1.0, 1.0, -0.5]];
     let far = above.map(|corner| corner.map(|x| 500.0 * x + 1e6));
     let corners = far.map(|c| DVec3::from(c.map(f64::from)));
     for (name, light, truth) in [
         ("above", lamp(above), 0.334_977_138),
-        ("crossing the horizon", lamp(crossing), 0.312_777_308),
+        ("crossing the horizon", lamp(intersection), 0.312_777_308),
         ("far", lamp(far), polygon(&corners, DVec3::Z)),
     ] {
         let e = irradiance(&light, &UP, 400_000);

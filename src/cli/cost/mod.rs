@@ -8,12 +8,12 @@ use super::render::size;
 use super::{
     Bytes, Stop, check_folder, drawn, folder, note_slow_build, reduced, save, use_threads,
 };
-use crate::desk::{Bar, on_ctrl_c, tell, whole};
-use crate::experiment::cost::strip::{Shown, affordable, needed, show};
-use crate::experiment::cost::{
+use crate::lab::chapter::{Bar, on_ctrl_c, tell, whole};
+use crate::lab::experiment::cost::strip::{Shown, affordable, needed, show};
+use crate::lab::experiment::cost::{
     ALL, BASE, Budget, Design, Measured, Method, Nothing, PriceList, Priced, Verdict, measure,
 };
-use crate::figures::{Against, cost_chart};
+use crate::lab::figures::{Against, cost_chart};
 use crate::output::{self, Display as Shades, Provenance, png_bytes};
 use crate::render::Progress;
 use crate::scene::{Scene, gallery};

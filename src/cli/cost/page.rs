@@ -3,7 +3,7 @@
 use super::text::{sentence, time, times};
 use super::{Report, STRIPS, Shown, Stop, files_of};
 use crate::cli::page::filled;
-use crate::experiment::cost::{Priced, TARGETS};
+use crate::lab::experiment::cost::{Priced, TARGETS};
 use minijinja::{Value, context};
 
 /// The page as HTML; charts and pictures lie beside it.

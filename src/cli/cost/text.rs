@@ -1,7 +1,7 @@
 //! The price list as text: for people, and as CSV.
 
 use super::Report;
-use crate::experiment::cost::{PriceList, Priced, Reach, TARGETS};
+use crate::lab::experiment::cost::{PriceList, Priced, Reach, TARGETS};
 use crate::numeric::{count, three_digits};
 use crate::stats::price::Ratio;
 use std::fmt::{self, Display, Formatter, Write as _};

@@ -2,8 +2,8 @@
 
 use crate::cli::Stop;
 use crate::cli::answer::answer;
-use crate::estimators::doctor::{Reading, diagnose, question};
-use crate::estimators::mistakes::{Exam, Variant, all, right};
+use crate::lab::doctor::{Reading, diagnose, question};
+use crate::lab::mistakes::{Exam, Variant, all, right};
 use crate::numeric::fixed;
 use crate::space::Dimension;
 use serde::Serialize;

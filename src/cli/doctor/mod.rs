@@ -5,9 +5,9 @@ mod typed;
 
 use super::Stop;
 use super::answer::answer;
-use crate::desk::whole;
-use crate::estimators::doctor::{Diagnosis, Reading, diagnose};
-use crate::estimators::mistakes::{Exam, Variant};
+use crate::lab::chapter::whole;
+use crate::lab::doctor::{Diagnosis, Reading, diagnose};
+use crate::lab::mistakes::{Exam, Variant};
 use crate::space::Dimension;
 use clap::{Args, ValueEnum};
 use serde::Serialize;

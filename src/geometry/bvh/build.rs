@@ -19,7 +19,7 @@ struct Item {
 }
 
 /// A tree that grows.
-pub(super) struct Growing<'a, P> {
+pub(super) struct Builder<'a, P> {
     shapes: &'a [P],
     items: Vec<Item>,
     pub(super) nodes: Vec<Node>,
@@ -27,7 +27,7 @@ pub(super) struct Growing<'a, P> {
 }
 
 /// The tree over these shapes.
-pub(super) fn build<P: Primitive>(shapes: &[P]) -> Growing<'_, P> {
+pub(super) fn build<P: Primitive>(shapes: &[P]) -> Builder<'_, P> {
     let item = |(id, shape): (usize, &P)| {
         let bounds = shape.bounds();
         Item {
@@ -37,7 +37,7 @@ pub(super) fn build<P: Primitive>(shapes: &[P]) -> Growing<'_, P> {
         }
     };
     let all = shapes.iter().enumerate().map(item);
-    let mut tree = Growing {
+    let mut tree = Builder {
         shapes,
         items: all.filter(|item| item.bounds.is_finite()).collect(),
         nodes: Vec::new(),
@@ -70,7 +70,7 @@ impl Group {
     }
 }
 
-impl<P: Primitive> Growing<'_, P> {
+impl<P: Primitive> Builder<'_, P> {
     /// The ids of the shapes in the order of the tree.
     pub(super) fn ids(&self) -> Vec<u32> {
         self.items.iter().map(|item| item.id).collect()

@@ -4,7 +4,7 @@ mod build;
 mod node;
 mod packet;
 
-use super::{Crossing, PreparedRay, Primitive, Ray, Shape};
+use super::{Intersection, PreparedRay, Primitive, Ray, Shape};
 use arrayvec::ArrayVec;
 use build::{MAX_DEPTH, build};
 use node::{Child, Link, Node, RayLanes, WIDTH};
@@ -35,9 +35,9 @@ pub struct Bvh<P = Shape> {
 
 /// What a ray meets first.
 #[derive(Clone, Copy, Debug)]
-pub struct Found<'a, P = Shape> {
+pub struct ClosestHit<'a, P = Shape> {
     /// Where.
-    pub crossing: Crossing,
+    pub intersection: Intersection,
     /// The index of the shape in the list the tree was built from.
     pub id: u32,
     /// The shape.
@@ -47,12 +47,12 @@ pub struct Found<'a, P = Shape> {
 /// What waits to be visited, with the distance of its box in the upper half: the order of these
 /// numbers is that of the distances, for those are not negative.
 #[derive(Clone, Copy, Default, PartialEq, Eq, PartialOrd, Ord)]
-struct Waiting(u64);
+struct StackEntry(u64);
 
-impl Waiting {
+impl StackEntry {
     #[inline(always)]
     fn new(entry: f32, link: Link) -> Self {
-        Waiting(u64::from(entry.to_bits()) << 32 | u64::from(link.0))
+        StackEntry(u64::from(entry.to_bits()) << 32 | u64::from(link.0))
     }
 
     #[inline(always)]
@@ -81,23 +81,23 @@ impl<P: Primitive> Bvh<P> {
 
     /// The first crossing of the ray, at its moment; of several shapes at the same distance the one
     /// with the lowest id, whatever the order of the tree.
-    pub fn first(&self, ray: &Ray) -> Option<Found<'_, P>> {
-        let mut best: Option<(Crossing, usize)> = None;
-        self.visit(ray, |at, crossing| {
-            if best.is_none_or(|(b, i)| crossing.t < b.t || self.ids[at] < self.ids[i]) {
-                best = Some((crossing, at));
+    pub fn first_hit(&self, ray: &Ray) -> Option<ClosestHit<'_, P>> {
+        let mut best: Option<(Intersection, usize)> = None;
+        self.visit(ray, |at, intersection| {
+            if best.is_none_or(|(b, i)| intersection.t < b.t || self.ids[at] < self.ids[i]) {
+                best = Some((intersection, at));
             }
             false
         });
-        best.map(|(crossing, at)| Found {
-            crossing,
+        best.map(|(intersection, at)| ClosestHit {
+            intersection,
             id: self.ids[at],
             shape: &self.shapes[at],
         })
     }
 
     /// True where the ray crosses anything at all, at its moment.
-    pub fn any(&self, ray: &Ray) -> bool {
+    pub fn occluded(&self, ray: &Ray) -> bool {
         let mut hit = false;
         self.visit(ray, |_, _| {
             hit = true;
@@ -109,24 +109,24 @@ impl<P: Primitive> Bvh<P> {
     /// Calls `meet` with every crossing that may be the first, and the place of its shape, nearest
     /// boxes first, until it answers true.
     #[inline(always)]
-    fn visit(&self, ray: &Ray, mut meet: impl FnMut(usize, Crossing) -> bool) {
+    fn visit(&self, ray: &Ray, mut meet: impl FnMut(usize, Intersection) -> bool) {
         if self.nodes.is_empty() || !ray.is_valid() {
             return;
         }
         let prepared = PreparedRay::from(ray);
         let lanes_of_ray = RayLanes::from(&prepared);
         let mut t_max = ray.reach();
-        let mut stack = ArrayVec::<Waiting, STACK_SIZE>::new();
-        let mut next = Waiting::new(0.0, Child::Node(0).into());
+        let mut stack = ArrayVec::<StackEntry, STACK_SIZE>::new();
+        let mut next = StackEntry::new(0.0, Child::Node(0).into());
         loop {
             if next.entry() <= t_max {
                 match next.link().child() {
                     Child::Shape(at) => {
-                        if let Some(crossing) =
-                            self.shapes[at].cross_after(&prepared, t_max, next.entry())
+                        if let Some(intersection) =
+                            self.shapes[at].intersect_from(&prepared, t_max, next.entry())
                         {
-                            t_max = crossing.t;
-                            if meet(at, crossing) {
+                            t_max = intersection.t;
+                            if meet(at, intersection) {
                                 return;
                             }
                         }
@@ -134,9 +134,11 @@ impl<P: Primitive> Bvh<P> {
                     Child::Packet(at) => {
                         let packet = &self.packets[at];
                         for lane in lanes(packet.candidates(&prepared)) {
-                            if let Some(crossing) = packet.triangle(lane).cross(&prepared, t_max) {
-                                t_max = crossing.t;
-                                if meet(packet.first as usize + lane, crossing) {
+                            if let Some(intersection) =
+                                packet.triangle(lane).intersect(&prepared, t_max)
+                            {
+                                t_max = intersection.t;
+                                if meet(packet.first as usize + lane, intersection) {
                                     return;
                                 }
                             }
@@ -148,7 +150,7 @@ impl<P: Primitive> Bvh<P> {
                         let base = stack.len();
                         for lane in lanes(met) {
                             // The nearest is the last to be pushed, and the first to be visited.
-                            let mut child = Waiting::new(entries[lane], node.links[lane]);
+                            let mut child = StackEntry::new(entries[lane], node.links[lane]);
                             for before in &mut stack[base..] {
                                 (*before, child) = (child.max(*before), child.min(*before));
                             }
@@ -177,17 +179,17 @@ fn lanes(mut mask: u32) -> impl Iterator<Item = usize> {
 }
 
 /// The tree's answer without the tree: every shape is tested. Slow, plain, the yardstick.
-pub fn brute_force<P: Primitive>(shapes: &[P], ray: &Ray) -> Option<(Crossing, u32)> {
+pub fn brute_force<P: Primitive>(shapes: &[P], ray: &Ray) -> Option<(Intersection, u32)> {
     if !ray.is_valid() {
         return None;
     }
     let prepared = PreparedRay::from(ray);
-    let mut best: Option<(Crossing, u32)> = None;
+    let mut best: Option<(Intersection, u32)> = None;
     for (id, shape) in shapes.iter().enumerate() {
-        if let Some(crossing) = shape.cross(&prepared, ray.reach())
-            && best.is_none_or(|(b, _)| crossing.t < b.t)
+        if let Some(intersection) = shape.intersect(&prepared, ray.reach())
+            && best.is_none_or(|(b, _)| intersection.t < b.t)
         {
-            best = Some((crossing, id as u32));
+            best = Some((intersection, id as u32));
         }
     }
     best

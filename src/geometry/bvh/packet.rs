@@ -110,7 +110,7 @@ mod tests {
             assert_eq!(found >> 5, 0, "lanes without a triangle");
             for (lane, t) in triangles.iter().enumerate() {
                 assert_eq!(packet.triangle(lane).a, t.a);
-                if t.cross(&ray, f32::MAX).is_some() {
+                if t.intersect(&ray, f32::MAX).is_some() {
                     crossed += 1;
                     assert!(found >> lane & 1 == 1, "{t:?} {ray:?}");
                     lost_by_strict += u32::from(is_out_where_an_edge_is_zero(t, &ray));

@@ -54,7 +54,7 @@ fn check(points: &[DVec3]) {
         points.len() - 2,
         "{points:?}"
     );
-    assert_eq!(found.crossing, 0, "{points:?}");
+    assert_eq!(found.intersection, 0, "{points:?}");
     let own = |t: &[u32; 3]| t.map(|i| uv_at(mesh.vertices[i as usize]));
     assert!(mesh.triangles.iter().map(own).eq(mesh.uvs.iter().copied()));
 }
@@ -194,14 +194,14 @@ fn polygons_that_cross_themselves_are_counted() {
         split(&points.collect::<Vec<_>>())
     };
     let bow_tie = flat(&[(0.0, 0.0), (1.0, 1.0), (1.0, 0.0), (0.0, 1.0)]);
-    assert_eq!((bow_tie.crossing, bow_tie.without_area), (1, 0));
+    assert_eq!((bow_tie.intersection, bow_tie.without_area), (1, 0));
     let uneven = flat(&[(0.0, 0.0), (2.0, 2.0), (2.0, 0.0), (0.0, 1.0)]);
-    assert_eq!(uneven.crossing, 1);
+    assert_eq!(uneven.intersection, 1);
     let pentagram = (0..5).map(|i| {
         let (sin, cos) = libm::sincos(TAU * f64::from(2 * i) / 5.0);
         (cos, sin)
     });
-    assert_eq!(flat(&pentagram.collect::<Vec<_>>()).crossing, 1);
+    assert_eq!(flat(&pentagram.collect::<Vec<_>>()).intersection, 1);
     let line = flat(&[(0.0, 0.0), (1.0, 0.0), (2.0, 0.0), (3.0, 0.0)]);
-    assert_eq!((line.crossing, line.mesh.triangles.len()), (0, 2));
+    assert_eq!((line.intersection, line.mesh.triangles.len()), (0, 2));
 }

@@ -92,9 +92,9 @@ impl World<Flat> for FlatTracer<'_> {
     }
 
     fn lights(&self) -> usize {
-        let points = self.world.lamps.len();
+        let points = self.world.point_lights.len();
         match self.lights {
-            Lights::All => points + self.world.glowing().len(),
+            Lights::All => points + self.world.area_lights().len(),
             Lights::Points => points,
         }
     }
@@ -107,7 +107,7 @@ impl World<Flat> for FlatTracer<'_> {
         stream: &Stream,
     ) -> Option<DirectLight> {
         let surface = &at.surface;
-        let points = &self.world.lamps;
+        let points = &self.world.point_lights;
         let (wi, li, irradiance, pdf, target) = if let Some(point) = points.get(light) {
             let arrives = point.light_at(surface.p)?;
             let irradiance = arrives.irradiance;
@@ -115,7 +115,7 @@ impl World<Flat> for FlatTracer<'_> {
             (arrives.wi, irradiance, irradiance, None, target)
         } else {
             let mut numbers = stream.at_item(vertex, Purpose::LightPoint, light as u32);
-            let glowing = &self.world.glowing()[light - points.len()];
+            let glowing = &self.world.area_lights()[light - points.len()];
             let drawn = glowing.sample(surface.p, numbers.one())?;
             let (li, target) = (glowing.radiance, Target::Surface(drawn.surface));
             (drawn.wi, li, li / drawn.pdf, Some(drawn.pdf), target)
@@ -143,7 +143,7 @@ impl World<Flat> for FlatTracer<'_> {
         let (Some(hit), Lights::All) = (hit, self.lights) else {
             return 0.0;
         };
-        let same = self.world.glowing().iter().find(|g| g.part == hit.part);
+        let same = self.world.area_lights().iter().find(|g| g.part == hit.part);
         same.map_or(0.0, |glowing| glowing.pdf(from.surface.p))
     }
 }

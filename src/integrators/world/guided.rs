@@ -11,7 +11,7 @@ use crate::color::Rgb;
 use crate::lights::Incident;
 use crate::materials::{Among, Event, kinds};
 use crate::sampling::stream::{Purpose, Stream};
-use crate::scene::{Interaction, SeenCasters, Tracer};
+use crate::scene::{GuideAt, Interaction, Tracer};
 use crate::space::{Ray, Solid};
 use glam::Vec3;
 
@@ -22,7 +22,7 @@ use glam::Vec3;
 pub struct Guided<'t, 'a, const KINDS: u8 = { kinds::ALL }> {
     tracer: &'t mut Tracer<'a>,
     /// What focuses light, as the point sees it that was met last.
-    seen: SeenCasters,
+    seen: GuideAt,
 }
 
 impl<'t, 'a, const KINDS: u8> Guided<'t, 'a, KINDS> {
@@ -30,7 +30,7 @@ impl<'t, 'a, const KINDS: u8> Guided<'t, 'a, KINDS> {
     pub fn new(tracer: &'t mut Tracer<'a>) -> Self {
         Guided {
             tracer,
-            seen: SeenCasters::default(),
+            seen: GuideAt::default(),
         }
     }
 
@@ -66,7 +66,7 @@ impl<'a, const KINDS: u8> World<Solid> for Guided<'_, 'a, KINDS> {
             let smooth = self.smooth_event(&hit).is_some();
             self.seen = match smooth {
                 true => casters.seen_from(hit.surface.p),
-                false => SeenCasters::default(),
+                false => GuideAt::default(),
             };
         }
         Some(hit)

@@ -68,7 +68,7 @@ impl<'a> World<Solid> for Tracer<'a> {
     }
 
     fn lights(&self) -> usize {
-        self.scene().lamps()
+        self.scene().sampled_lights()
     }
 
     fn sample_light(

@@ -142,7 +142,7 @@ impl Parts<'_> {
 
     /// Stores those instances for themselves that are so near to a lamp that one rule must decide which of
     /// both is met.
-    pub(super) fn part_from_lamps(&mut self) {
+    pub(super) fn part_from_lights(&mut self) {
         let lamp = |(shape, object): &(Shape, u32)| {
             let shines = self.objects[*object as usize].light.is_some();
             let span = self.spans[*object as usize];

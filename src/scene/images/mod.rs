@@ -56,7 +56,7 @@ pub(in crate::scene) struct Way {
 
 /// A lamp and a ball in which it is seen.
 #[derive(Clone, Debug)]
-pub(super) struct LampInBall {
+pub(super) struct VirtualLight {
     /// Unit, from the centre of the ball towards the lamp.
     towards: Vec3,
     /// Sine and cosine of half the angle under which the lamp is seen from there.
@@ -69,7 +69,7 @@ pub(super) struct LampInBall {
     strength: f32,
 }
 
-impl LampInBall {
+impl VirtualLight {
     /// What is seen of a lamp that fills the ball `lamp`; `None` where the two balls meet.
     pub(in crate::scene) fn new(ball: &Ball, lamp: &Ball, way: Way) -> Option<Self> {
         let between = lamp.center - ball.center;
@@ -94,7 +94,7 @@ impl LampInBall {
             [or_middle(low), middle, or_middle(high)].map(SinCos::of)
         });
         let spread = libm::asin(lamp.radius / distance);
-        Some(LampInBall {
+        Some(VirtualLight {
             towards: (between / distance).as_vec3(),
             spread: [libm::sin(spread), libm::cos(spread)].map(|x| x as f32),
             turns,
@@ -255,7 +255,7 @@ mod tests {
     /// Of the rays to anywhere on the ball that meet the lamp, the share that its images show; and of
     /// those into its images, the share that meets the lamp, in units of what it is anywhere.
     fn found_and_gain(way: Way, really: Way) -> [f64; 2] {
-        let lamp = LampInBall::new(&BALL, &LAMP, way).expect("two balls apart");
+        let lamp = VirtualLight::new(&BALL, &LAMP, way).expect("two balls apart");
         let (mut all, mut seen, mut found, mut drawn, mut hit) = (0, 0, 0, 0, 0);
         for (sight, p, mut numbers) in points() {
             let meets = |d: Vec3| {
@@ -310,7 +310,7 @@ mod tests {
 
     #[test]
     fn directions_fill_the_images_evenly() {
-        let lamp = LampInBall::new(&BALL, &LAMP, GLASS).expect("two balls apart");
+        let lamp = VirtualLight::new(&BALL, &LAMP, GLASS).expect("two balls apart");
         // Of directions to anywhere, those that an image shows; weighted by how rare they are, those
         // in its inner rings. Of directions drawn, the same.
         let (mut shown, mut expected, mut variance, mut expected_inner) = (0.0, 0.0, 0.0, 0.0);

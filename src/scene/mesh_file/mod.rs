@@ -90,10 +90,10 @@ fn triangles(said: Said) -> Result<MeshFile, String> {
         ));
     }
     let found = polygons.triangulate();
-    let crossing = (found.crossing > 0).then(|| {
+    let intersection = (found.intersection > 0).then(|| {
         format!(
             "{} polygons whose edges cross, filled somehow",
-            found.crossing
+            found.intersection
         )
     });
     let untextured = (found.without_uvs > 0).then(|| {
@@ -107,7 +107,7 @@ fn triangles(said: Said) -> Result<MeshFile, String> {
     Ok(MeshFile {
         mesh: found.mesh,
         without_area: found.without_area,
-        notes: [crossing, untextured, ignored]
+        notes: [intersection, untextured, ignored]
             .into_iter()
             .flatten()
             .collect(),

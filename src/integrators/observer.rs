@@ -1,0 +1,117 @@
+//! What becomes of the light that a path finds: all of it counts, or that of some paths only.
+
+use super::{Integrator, Path};
+use crate::color::Rgb;
+use crate::geometry::Ray;
+use crate::materials::Event;
+use crate::notation::{Language, Letter, State};
+use crate::sampling::stream::Stream;
+use crate::scene::Tracer;
+
+/// Goes along with a path from the eye, hears of each of its vertices and of all light it finds.
+pub trait PathObserver {
+    /// The path goes on from a surface that scattered like this. False where no light from beyond
+    /// counts: the path ends.
+    fn scattered(&mut self, event: Event) -> bool;
+
+    /// False where light from a lamp to the surface the path has come to, which scatters it like
+    /// `last`, would not count: no shadow ray is sent.
+    fn wants(&self, last: Event) -> bool;
+
+    /// Light found by aiming at a lamp from the surface the path has come to.
+    fn aimed(&mut self, last: Event, li: Rgb);
+
+    /// Light at the end of the path itself.
+    fn arrived(&mut self, li: Rgb);
+}
+
+/// All light, whichever way it came.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct AllLight {
+    /// Its sum.
+    pub li: Rgb,
+}
+
+impl PathObserver for AllLight {
+    fn scattered(&mut self, _: Event) -> bool {
+        true
+    }
+
+    fn wants(&self, _: Event) -> bool {
+        true
+    }
+
+    fn aimed(&mut self, _: Event, li: Rgb) {
+        self.li += li;
+    }
+
+    fn arrived(&mut self, li: Rgb) {
+        self.li += li;
+    }
+}
+
+// ANCHOR: among
+/// The light of the paths whose words are in a language.
+#[derive(Clone, Copy, Debug)]
+pub struct PathFilter<'a> {
+    /// How far the word has been read, from the eye.
+    state: State<'a>,
+    /// The sum.
+    pub li: Rgb,
+}
+
+impl<'a> PathFilter<'a> {
+    /// At the eye.
+    ///
+    /// * `paths`: words from the eye to the light (see
+    ///   [`Expression::eye_first`](crate::notation::Expression::eye_first)).
+    pub fn new(paths: &'a Language) -> Self {
+        PathFilter {
+            state: paths.start().next(Letter::Eye),
+            li: Rgb::BLACK,
+        }
+    }
+}
+
+impl PathObserver for PathFilter<'_> {
+    fn scattered(&mut self, event: Event) -> bool {
+        self.state = self.state.next(event.into());
+        self.state.can_still_accept()
+    }
+
+    fn wants(&self, last: Event) -> bool {
+        let end = self.state.next(last.into()).next(Letter::Light);
+        end.is_accepting()
+    }
+
+    fn aimed(&mut self, _: Event, li: Rgb) {
+        self.li += li;
+    }
+
+    fn arrived(&mut self, li: Rgb) {
+        if self.state.next(Letter::Light).is_accepting() {
+            self.li += li;
+        }
+    }
+}
+// ANCHOR_END: among
+
+/// Path tracing, of the paths of a language alone.
+///
+/// What is left is the light of [`Path`] that came by these paths, sample by sample: pictures of
+/// languages that have no word in common add up to the picture of both.
+#[derive(Clone, Copy, Debug)]
+pub struct FilteredPath<'a> {
+    /// How paths are traced.
+    pub path: Path,
+    /// Words from the eye to the light.
+    pub paths: &'a Language,
+}
+
+impl Integrator for FilteredPath<'_> {
+    fn li(&self, tracer: &mut Tracer, ray: &Ray, stream: &Stream) -> Rgb {
+        let mut only = PathFilter::new(self.paths);
+        self.path.trace(tracer, ray, stream, &mut only);
+        only.li
+    }
+}
