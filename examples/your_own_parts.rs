@@ -10,6 +10,7 @@ use halfdisk::geometry::{Aabb, InstancedShape, Intersection, Ray, Surface};
 use halfdisk::integrators::Path;
 use halfdisk::lights::{Arrival, CustomLight};
 use halfdisk::materials::CustomBsdf;
+use halfdisk::numeric;
 use halfdisk::output::{self, Display, Provenance};
 use halfdisk::render::{Options, render};
 use halfdisk::sampling::frame::Frame;
@@ -71,14 +72,14 @@ impl Phong {
 impl CustomBsdf for Phong {
     fn f(&self, wo: Vec3, wi: Vec3) -> Rgb {
         Phong::cos(wo, wi).map_or(Rgb::BLACK, |cos| {
-            self.reflectance * ((self.exponent + 2.0) / TAU * cos.powf(self.exponent))
+            self.reflectance * ((self.exponent + 2.0) / TAU * libm::powf(cos, self.exponent))
         })
     }
 
     fn sample(&self, wo: Vec3, _: f32, [u, v]: [f32; 2]) -> Option<Vec3> {
-        let cos = (1.0 - u).powf(1.0 / (self.exponent + 1.0));
+        let cos = libm::powf(1.0 - u, 1.0 / (self.exponent + 1.0));
         let sin = (1.0 - cos * cos).max(0.0).sqrt();
-        let (y, x) = (TAU * v).sin_cos();
+        let (y, x) = numeric::sin_cos(TAU * v);
         let lobe = Frame::new(Vec3::new(-wo.x, -wo.y, wo.z));
         let wi = lobe.to_world(Vec3::new(sin * x, sin * y, cos)).normalize();
         (wi.z * wo.z > 0.0).then_some(wi)
@@ -86,7 +87,7 @@ impl CustomBsdf for Phong {
 
     fn pdf(&self, wo: Vec3, wi: Vec3) -> f32 {
         Phong::cos(wo, wi).map_or(0.0, |cos| {
-            (self.exponent + 1.0) / TAU * cos.powf(self.exponent)
+            (self.exponent + 1.0) / TAU * libm::powf(cos, self.exponent)
         })
     }
 

@@ -46,8 +46,10 @@ pub(super) struct Report<'a> {
 #[serde(remote = "BuildReport")]
 struct Built {
     shapes: usize,
+    instances: usize,
     degenerate_triangles: usize,
     notes: Vec<String>,
+    #[serde(rename = "hidden_lamps")]
     hidden_lights: usize,
     #[serde(rename = "coarse_shapes", serialize_with = "coarse_shapes")]
     coarse: Option<Coarse>,
@@ -176,7 +178,13 @@ impl Report<'_> {
 impl Display for Report<'_> {
     fn fmt(&self, f: &mut Formatter) -> fmt::Result {
         let ([w, h], name) = (self.size, &self.facts.scene);
-        let shapes = count(self.built.shapes, "shape", "shapes");
+        let mut shapes = count(self.built.shapes, "shape", "shapes");
+        if self.built.instances > 0 {
+            shapes += &format!(
+                " ({} of shared meshes)",
+                count(self.built.instances, "instance", "instances")
+            );
+        }
         let [built, seconds] = [self.built.time, self.made.time].map(|t| t.as_secs_f64());
         writeln!(
             f,

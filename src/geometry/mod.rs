@@ -1,6 +1,6 @@
 //! Rays, shapes and the hierarchy that finds the first hit.
 //!
-//! A shape answers three questions: where does a ray cross you ([`Shape::cross`]), what is the
+//! A shape answers three questions: where does a ray intersect you ([`Shape::intersect`]), what is the
 //! surface like there ([`Shape::surface`]), and what box holds you ([`Shape::bounds`]). Points on
 //! a surface carry a bound on their rounding error, so that rays can leave them safely.
 

@@ -65,7 +65,7 @@ pub struct LightSample {
     /// Which of the light's surfaces it comes from: the number of a triangle of a mesh, 0 for all
     /// other lights.
     pub part: u32,
-    /// The point on a quad or triangle, as in [`Intersection`](crate::geometry::Crossing).
+    /// The point on a quad or triangle, as in [`Intersection`](crate::geometry::Intersection).
     pub place: [f32; 2],
     /// The unit normal of a surface at the point, on a side that shines.
     pub n: Vec3,

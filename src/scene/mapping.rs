@@ -107,7 +107,7 @@ impl Mapping {
     /// The coordinates of a point of the object's shape number `part`.
     ///
     /// * `place`: the coordinates of the point on a quad or triangle, as in
-    ///   [`Intersection`](crate::geometry::Crossing).
+    ///   [`Intersection`](crate::geometry::Intersection).
     /// * `n`: the unit normal of a sphere.
     pub(super) fn at(&self, part: u32, place: [f32; 2], n: Vec3) -> Vec2 {
         match self {

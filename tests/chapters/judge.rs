@@ -1,9 +1,7 @@
 //! Pictures of the same thing are accepted, and others refused.
 
 use super::pictures::{Verdict, in_blocks};
-use super::{DERIVED, PROGRAMS, SHOW_NOISE, is_timed, run};
 use halfdisk::integrators::Path;
-use halfdisk::output;
 use halfdisk::render::{Options, Picture, render};
 use halfdisk::scene::gallery;
 use halfdisk::scene::read::Source;
@@ -90,57 +88,4 @@ fn single_samples_are_judged_by_their_neighbours() {
     // They overstate the error, and not by much.
     let [known, guessed] = [&stored, &single(1)].map(|p| verdict(p, p).notices);
     assert!(guessed < 2.0 * known, "{guessed} {known}");
-}
-
-/// Ten seeds of each chapter. A tenth more green in the middle ninth stands for an object of another colour.
-#[test]
-#[ignore = "a longer run"]
-fn long_pictures_of_chapters_are_accepted_at_other_seeds_and_refused_where_they_are_wrong() {
-    let mut failures = Vec::new();
-    for (program, id, spp) in PROGRAMS {
-        let seeds = (1..=11).map(|seed| seed.to_string());
-        let runs: Vec<_> = seeds
-            .map(|seed| run(program, id, &["--spp", spp, "--seed", &seed]))
-            .collect();
-        for figure in runs[0].1["figures"].as_array().unwrap() {
-            let file = figure["file"].as_str().unwrap();
-            if is_timed(file) || !file.ends_with(".png") {
-                continue;
-            }
-            let name = format!("{id}-{}", file.trim_end_matches(".png"));
-            if DERIVED.contains(&name.as_str()) {
-                continue;
-            }
-            let pictures: Vec<Picture> = runs
-                .iter()
-                .map(|(folder, _)| folder.path().join(id).join(file).with_extension("exr"))
-                .map(|path| output::read(&path).unwrap())
-                .collect();
-            let (stored, other) = (&pictures[0], &pictures[1]);
-            for (seed, picture) in (2..).zip(&pictures[1..]) {
-                let verdict = verdict(stored, picture);
-                println!("{name}, seed {seed}: {verdict}");
-                if !verdict.accepts() {
-                    failures.push(format!("{name}, seed {seed}: {verdict}"));
-                }
-            }
-            let [width, height] = stored.size.map(|n| n as usize);
-            let third = |x: usize, of: usize| (of / 3..2 * of / 3).contains(&x);
-            let middle =
-                |i: usize, c: usize| c == 1 && third(i % width, width) && third(i / width, height);
-            let bias = 1.0 + 1.3 * verdict(stored, other).notices;
-            for (what, wrong) in [
-                ("shifted", shifted(other)),
-                ("brighter", scaled(other, bias, |_, _| true)),
-                ("greener", scaled(other, 1.1, middle)),
-            ] {
-                let verdict = verdict(stored, &wrong);
-                println!("{name} {what}: {verdict}");
-                if verdict.accepts() && !SHOW_NOISE.contains(&name.as_str()) {
-                    failures.push(format!("{name} {what}: {verdict}"));
-                }
-            }
-        }
-    }
-    assert!(failures.is_empty(), "{}", failures.join("\n"));
 }

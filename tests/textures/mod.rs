@@ -129,12 +129,11 @@ fn a_texture_of_one_color_is_that_color_bit_for_bit() {
              [[objects]]\nemits = {emits}\nsphere = {{ center = [1, 1, 0], radius = 0.2 }}\n"
         );
         let scene = scene([0.0, 1.0, 6.0], &text, None);
-        let films = [
+        [
             &Path::new(4) as &dyn Integrator,
             &NextEvent { max_depth: 4 },
         ]
-        .map(|integrator| render(&scene, integrator, &Options::default(), &()).film);
-        films
+        .map(|integrator| render(&scene, integrator, &Options::default(), &()).film)
     };
     let same =
         |color: &str| format!("{{ checker = {{ even = {color}, odd = {color}, fields = 5 }} }}");

@@ -7,7 +7,7 @@ use mdbook_preprocessor::book::{Book, Chapter};
 use crate::data::Run;
 use crate::directives::{self, Directive};
 use crate::edit::{Problem, rewrite};
-use crate::lab::ledger::{self, PageLink};
+use crate::ledger::{self, PageLink};
 use crate::{figures, includes, maths, numbers};
 
 /// What every page is prepared with.

@@ -141,7 +141,7 @@ fn irradiance<S: Space, W: World<S>>(
 /// The essay speaks of a location in the half disk and draws an angle between 0 and π: a point of
 /// the half circle. Angles of uniform points of the half disk follow the same law, so both are
 /// right. On the hemisphere a uniform polar angle is not: see
-/// [`mistakes`](super::mistakes).
+/// [`mistakes`](crate::lab::mistakes).
 pub fn step1_direction<S: Space>(
     recipe: Recipe,
     index: u32,

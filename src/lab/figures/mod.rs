@@ -1,9 +1,9 @@
-//! From what was measured and walked to figures: thin adapters between the laboratory and [`chart`].
+//! From what was measured and walked to figures: thin adapters between the laboratory and [`drawing`].
 //!
 //! [`convergence_chart`], [`cost_chart`] and [`required_chart`] fill in curves. [`flat`] fills in a
 //! drawing from a flat world and the half disk over one of its points; [`walk`] draws the rays of a walk.
 //!
-//! [`chart`]: crate::chart
+//! [`drawing`]: crate::lab::drawing
 
 mod convergence;
 mod cost;
