@@ -51,7 +51,7 @@ pub struct Diagnosis {
 /// Compares readings with what the right estimator and each mistake would read.
 ///
 /// ```
-/// use halfdisk::lab::estimators::{doctor::{Reading, diagnose}, mistakes::Exam};
+/// use halfdisk::lab::{doctor::{Reading, diagnose}, mistakes::Exam};
 /// use halfdisk::space::Dimension;
 ///
 /// let reading = Reading { value: 0.786, error: 0.002, exam: Exam::default() };
