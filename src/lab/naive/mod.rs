@@ -2,7 +2,7 @@
 //!
 //! Each is right on paper, and wrong somewhere in `f32`. They are kept so that tests can show where
 //! ours hold and these do not, and so that benches can say what the care costs. No renderer code
-//! calls them. Estimators with one thing wrong live in `estimators::mistakes`.
+//! calls them. Estimators with one thing wrong live in `lab::mistakes`.
 
 mod film;
 mod geometry;
