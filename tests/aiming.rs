@@ -2,14 +2,14 @@
 //! from one surface.
 
 use crate::checks::{accept, reject};
+use crate::of_chapters::pick_one::PickOne;
+use crate::of_chapters::shrinking_lamp::{self, Technique};
+use crate::of_chapters::split::Split;
 use glam::Vec2;
 use halfdisk::color::Rgb;
 use halfdisk::flatland::{self, FlatWorld, exact};
 use halfdisk::integrators::world::FlatTracer;
 use halfdisk::integrators::{Kajiya, NextEvent};
-use halfdisk::lab::estimators::pick_one::PickOne;
-use halfdisk::lab::estimators::shrinking_lamp::{self, Technique};
-use halfdisk::lab::estimators::split::Split;
 use halfdisk::lab::estimators::walks;
 use halfdisk::lab::mistakes::count_twice::CountTwice;
 use halfdisk::render::{Film, Options, render};

@@ -1,9 +1,10 @@
 //! What accuracy costs, measured small: in rays, so that every machine finds the same.
 
+use crate::of_chapters::noise;
 use halfdisk::lab::experiment::cost::{
     ALL, Budget, Design, Measured, Method, PriceList, Reach, Verdict, measure,
 };
-use halfdisk::lab::experiment::{named, noise};
+use halfdisk::lab::experiment::named;
 use halfdisk::render::Progress;
 use halfdisk::scene::{Scene, gallery};
 use std::sync::atomic::{AtomicU64, Ordering};

@@ -29,6 +29,7 @@ mod mistakes;
 mod motion;
 mod mutations;
 mod notation;
+mod of_chapters;
 mod path;
 mod peers;
 mod random_scenes;

@@ -2,9 +2,9 @@
 //! lenses, shutters, lamps, edges, walls and facets.
 
 use crate::checks::{alike, unlike};
+use crate::of_chapters::profiles::{Profile, Reading, lobe_energy};
 use halfdisk::integrators::{Distributed, Integral, Integrator, Kajiya, NextEvent};
 use halfdisk::lab::estimators::furnace::irradiance;
-use halfdisk::lab::estimators::profiles::{Profile, Reading, lobe_energy};
 use halfdisk::lab::estimators::worlds::ball;
 use halfdisk::render::{Options, Rendered, render};
 use halfdisk::sampling::stream::Purpose;

@@ -1,10 +1,10 @@
 //! Closed forms, whatever the way to them.
 
+use crate::of_chapters::two_ways::TwoWays;
 use glam::{DVec3, Vec3};
 use halfdisk::color::Rgb;
 use halfdisk::geometry::{Quad, Ray, Sphere, Surface};
 use halfdisk::integrators::Whitted;
-use halfdisk::lab::estimators::two_ways::TwoWays;
 use halfdisk::lights::{Light, QuadLight, SphereLight};
 use halfdisk::render::compare;
 use halfdisk::sampling::stream::{Purpose, Stream};

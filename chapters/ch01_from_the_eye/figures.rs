@@ -1,13 +1,13 @@
 //! The figures of this chapter: the two directions drawn in the flat world, the pictures, the
 //! chart.
 
+use crate::prices::{Measured, Prices};
+use crate::two_ways::Traced;
 use halfdisk::lab::chapter::{Desk, DeskError};
 use halfdisk::lab::drawing::{
     Axis, Bounds, ChartError, Curve, CurveChart, Dot, HALF, Label, RayDrawing, Stroke, StrokeKind,
     Style,
 };
-use halfdisk::lab::estimators::two_ways::Traced;
-use halfdisk::lab::experiment::price::{Measured, Prices};
 use halfdisk::numeric::sin_cos;
 use halfdisk::sampling::stream::{Purpose, Stream};
 use halfdisk::scene::Scene;

@@ -1,22 +1,22 @@
 //! Chapter 1: From the eye.
 //!
 //! Question: light goes from the lamp to the eye; why do ray tracers go the other way?
-//! New here: `estimators::aperture` and `estimators::two_ways`. Simulates `LE` and `LDE`.
+//! New here: the folder's `aperture` and `two_ways`. Simulates `LE` and `LDE`.
 
+mod aperture;
 mod figures;
+mod prices;
+mod two_ways;
 
+use aperture::{count_through_disc, count_through_slit, disc_chance, slit_chance};
 use halfdisk::lab::chapter::{Chapter, Desk, DeskError, Number};
-use halfdisk::lab::estimators::aperture::{
-    count_through_disc, count_through_slit, disc_chance, slit_chance,
-};
-use halfdisk::lab::estimators::two_ways::{Traced, TwoWays};
-use halfdisk::lab::experiment::price;
 use halfdisk::lab::ledger::Ledger;
 use halfdisk::render::compare;
 use halfdisk::scene::gallery;
 use halfdisk::stats::Estimate;
 use halfdisk::stats::z_test::Largest;
 use std::process::ExitCode;
+use two_ways::{Traced, TwoWays};
 
 const CHAPTER: Chapter = Chapter {
     id: "ch01",
@@ -73,7 +73,7 @@ fn work(desk: &mut Desk) -> Result<Ledger, DeskError> {
     // What the same error costs either way, against a reference from other random numbers.
     let reference = view.from_eye(desk.choose(32_768, 4_096), seed + 1);
     let (doublings, replicates) = desk.choose((6, 8), (3, 4));
-    let prices = price::two_ways(&view, &reference.film, doublings, replicates, seed + 2);
+    let prices = prices::measure(&view, &reference.film, doublings, replicates, seed + 2);
     let (ratio, error) = prices.ratio();
     let says = "rays from the light for the error of one ray from the eye";
     let price = Number::new(says, ratio);

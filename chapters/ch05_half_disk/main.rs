@@ -5,12 +5,12 @@
 //! Builds on: chapter 4 (estimates and their errors).
 
 mod figures;
+mod plane_world;
 
 use halfdisk::flatland::{FlatHit, FlatWorld, exact, load};
 use halfdisk::lab::chapter::{Chapter, Desk, DeskError};
 use halfdisk::lab::estimators::directions::Recipe;
 use halfdisk::lab::estimators::gather::Gather;
-use halfdisk::lab::estimators::plane_world;
 use halfdisk::lab::experiment::convergence::{Convergence, Design, converge};
 use halfdisk::lab::experiment::named;
 use halfdisk::lab::ledger::Ledger;

@@ -1,10 +1,10 @@
 //! The figures of this chapter: profiles against closed forms, the rays of a first hit, and the sky
 //! alone.
 
+use crate::profiles::{Profile, Reading};
 use halfdisk::integrators::{Distributed, Integral};
 use halfdisk::lab::chapter::{Desk, DeskError};
 use halfdisk::lab::drawing::{Curve, CurveChart, Style};
-use halfdisk::lab::estimators::profiles::{Profile, Reading};
 use halfdisk::render::{Options, render};
 use halfdisk::scene::description::{Material, Sky};
 use halfdisk::scene::gallery;

@@ -6,11 +6,11 @@
 //! Builds on: chapters 2 and 7 (trees of rays; directions over a surface).
 
 mod figures;
+mod profiles;
 
 use halfdisk::integrators::{Distributed, Integral};
 use halfdisk::lab::chapter::{Chapter, Desk, DeskError, Number};
 use halfdisk::lab::estimators::furnace::irradiance;
-use halfdisk::lab::estimators::profiles::{Profile, lobe_energy};
 use halfdisk::lab::estimators::worlds::ball;
 use halfdisk::lab::ledger::Ledger;
 use halfdisk::render::{Options, Rendered, render};
@@ -18,6 +18,7 @@ use halfdisk::sampling::stream::Purpose;
 use halfdisk::scene::{Scene, gallery};
 use halfdisk::space::{Flat, Solid};
 use halfdisk::stats::z_test::Largest;
+use profiles::{Profile, lobe_energy};
 use std::f64::consts::{LN_2, PI};
 use std::process::ExitCode;
 

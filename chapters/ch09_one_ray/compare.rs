@@ -1,12 +1,12 @@
 //! Trees, paths and what lies between, at what they cost.
 
 use crate::picture;
+use crate::split::Split;
 use halfdisk::integrators::NextEvent;
 use halfdisk::lab::chapter::{Desk, DeskError, Number};
 use halfdisk::lab::drawing::{Axis, Curve, CurveChart, Style};
 use halfdisk::lab::estimators::directions::Recipe;
 use halfdisk::lab::estimators::gather::Gather;
-use halfdisk::lab::estimators::split::Split;
 use halfdisk::lab::estimators::walks;
 use halfdisk::render::{Film, Rendered};
 use halfdisk::scene::{Scene, gallery};

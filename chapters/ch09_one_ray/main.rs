@@ -6,6 +6,7 @@
 
 mod compare;
 mod figures;
+mod split;
 
 use glam::Vec2;
 use halfdisk::flatland::{self, exact};

@@ -2,9 +2,9 @@
 
 use crate::RULES;
 use crate::figures::{self, KINDS, kind, z};
+use crate::mixed_furnace::MixedFurnace;
 use halfdisk::color::Rgb;
 use halfdisk::lab::chapter::{Desk, DeskError, Number};
-use halfdisk::lab::estimators::mixed_furnace::MixedFurnace;
 use halfdisk::materials::{Choice, Mixture};
 use halfdisk::sampling::stream::Stream;
 use halfdisk::stats::Estimate;

@@ -6,6 +6,7 @@
 
 mod figures;
 mod furnaces;
+mod mixed_furnace;
 
 use figures::z;
 use halfdisk::integrators::{Integrator, WhichRay};

@@ -1,9 +1,9 @@
 //! The charts of this chapter: errors that stay, variances that never settle, and a wall.
 
 use crate::furnace::{ALBEDO, game, walk};
+use crate::survival::Game;
 use halfdisk::lab::chapter::{Desk, DeskError};
 use halfdisk::lab::drawing::{Axis, Curve, CurveChart, Style};
-use halfdisk::lab::estimators::survival::Game;
 use halfdisk::sampling::stream::Stream;
 use halfdisk::stats::Estimate;
 use rayon::prelude::*;

@@ -1,8 +1,8 @@
 //! What the furnace reads: cut, by roulette, clamped.
 
+use crate::survival::Game;
 use halfdisk::integrators::{Kajiya, Roulette, Survival};
 use halfdisk::lab::chapter::{Desk, Number};
-use halfdisk::lab::estimators::survival::Game;
 use halfdisk::lab::estimators::worlds::{Counted, Furnace};
 use halfdisk::sampling::stream::Stream;
 use halfdisk::space::Flat;

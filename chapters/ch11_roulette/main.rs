@@ -1,18 +1,18 @@
 //! Chapter 11: Roulette.
 //!
 //! Question: light bounces for ever and a program must end. How does it end without a lie?
-//! New here: `integrators::roulette`, `estimators::survival`. Simulates `L(S|G|D)*E` without a
+//! New here: `integrators::roulette`, the folder's `survival`. Simulates `L(S|G|D)*E` without a
 //! depth cut. Builds on: chapter 9 (one ray, not a tree).
 
 mod figures;
 mod furnace;
 mod pictures;
+mod survival;
 
 use halfdisk::flatland::gallery;
 use halfdisk::integrators::world::FlatTracer;
 use halfdisk::integrators::{Kajiya, Roulette, Survival};
 use halfdisk::lab::chapter::{Chapter, Desk, DeskError, Number};
-use halfdisk::lab::estimators::survival::Game;
 use halfdisk::lab::estimators::worlds::{Counted, Furnace};
 use halfdisk::lab::ledger::Ledger;
 use halfdisk::sampling::stream::Stream;
@@ -20,6 +20,7 @@ use halfdisk::scene::read::Source;
 use halfdisk::space::{Flat, Ray};
 use halfdisk::stats::Estimate;
 use std::process::ExitCode;
+use survival::Game;
 
 const CHAPTER: Chapter = Chapter {
     id: "ch11",

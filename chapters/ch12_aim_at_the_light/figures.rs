@@ -1,12 +1,12 @@
 //! The figures of this chapter: the sweep over lamps, a walk with its shadow rays, and boxes.
 
+use crate::shrinking_lamp::{self, Technique};
 use glam::Vec2;
 use halfdisk::flatland;
 use halfdisk::integrators::world::Lights;
 use halfdisk::integrators::{Integrator, Kajiya, NextEvent};
 use halfdisk::lab::chapter::{Desk, DeskError, Number};
 use halfdisk::lab::drawing::{Axis, Curve, CurveChart, Style};
-use halfdisk::lab::estimators::shrinking_lamp::{self, Technique};
 use halfdisk::lab::figures::walk::Watched;
 use halfdisk::render::{Film, Options, Rendered, render};
 use halfdisk::sampling::stream::Stream;

@@ -1,9 +1,9 @@
 //! Lamps in closed form: many of them, one in a mirror, and one that counts twice.
 
 use crate::figures::picture;
+use crate::pick_one::PickOne;
 use halfdisk::integrators::{Kajiya, NextEvent};
 use halfdisk::lab::chapter::{Desk, DeskError, Number};
-use halfdisk::lab::estimators::pick_one::PickOne;
 use halfdisk::lab::estimators::walks::{self, Walks};
 use halfdisk::lab::mistakes::count_twice::CountTwice;
 use halfdisk::notation::{Expression, ExpressionError};

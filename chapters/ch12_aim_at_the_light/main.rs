@@ -6,11 +6,13 @@
 
 mod figures;
 mod lamps;
+mod pick_one;
+mod shrinking_lamp;
 
 use halfdisk::lab::chapter::{Chapter, Desk, DeskError};
-use halfdisk::lab::estimators::shrinking_lamp::{self, Technique};
 use halfdisk::lab::estimators::walks::Walks;
 use halfdisk::lab::ledger::Ledger;
+use shrinking_lamp::Technique;
 use std::process::ExitCode;
 
 const CHAPTER: Chapter = Chapter {

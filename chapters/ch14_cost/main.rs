@@ -1,12 +1,13 @@
 //! Chapter 14: What accuracy costs.
 //!
 //! Question: a picture is too noisy. How many samples does it lack, and what would they cost?
-//! New here: `experiment::cost`, `experiment::noise`, `render::accuracy`, `render::stopping`. Simulates
+//! New here: `experiment::cost`, the folder's `noise`, `render::accuracy`, `render::stopping`. Simulates
 //! what each integrator before it does. Builds on: chapters 4 (the error bar and its rate) and 9 to 13
 //! (the integrators).
 
 mod maps;
 mod needs;
+mod noise;
 mod prices;
 mod steps;
 

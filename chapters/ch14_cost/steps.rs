@@ -1,9 +1,9 @@
 //! What samples buy: the same steps early and late, forty paths, two halves of a picture.
 
+use crate::noise;
 use halfdisk::integrators::Path;
 use halfdisk::lab::chapter::{Desk, DeskError, Number};
 use halfdisk::lab::experiment::named;
-use halfdisk::lab::experiment::noise;
 use halfdisk::render::{Options, Session, render};
 use halfdisk::scene::gallery;
 use halfdisk::stats::{Estimate, Measurement};

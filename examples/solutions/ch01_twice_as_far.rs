@@ -5,9 +5,10 @@
 
 #![allow(clippy::print_stdout)]
 
-use halfdisk::lab::estimators::aperture::{
-    count_through_disc, count_through_slit, disc_chance, slit_chance,
-};
+#[path = "../../chapters/ch01_from_the_eye/aperture.rs"]
+mod aperture;
+
+use aperture::{count_through_disc, count_through_slit, disc_chance, slit_chance};
 
 const RAYS: u32 = 1_000_000;
 

@@ -7,9 +7,12 @@
 
 #![allow(clippy::print_stdout)]
 
-use halfdisk::lab::estimators::split::Split;
+#[path = "../../chapters/ch09_one_ray/split.rs"]
+mod split;
+
 use halfdisk::render::{Options, Rendered, render};
 use halfdisk::scene::{Scene, SceneError, gallery};
+use split::Split;
 
 /// What a ray from the eye and what the rest of the path leaves to chance, and rays of a path.
 struct Shares {

@@ -1,10 +1,10 @@
 //! Walks that end by chance, in furnaces of any albedo, and without the weight of survivors.
 
 use super::{CRITICAL, accept, radiance};
+use crate::of_chapters::survival::Game;
 use halfdisk::color::Rgb;
 use halfdisk::integrators::world::World;
 use halfdisk::integrators::{Kajiya, Path, Roulette, Survival};
-use halfdisk::lab::estimators::survival::Game;
 use halfdisk::lab::estimators::worlds::{Counted, Furnace};
 use halfdisk::sampling::stream::{Purpose, Stream};
 use halfdisk::scene::gallery;

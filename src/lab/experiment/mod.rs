@@ -4,16 +4,12 @@
 //! * [`convergence`]: how an estimator's error falls with its samples;
 //! * [`cost`]: what accuracy costs, for every way to make a picture;
 //! * [`named`]: the estimators one can ask for by name;
-//! * [`price`]: what the same error costs two ways;
-//! * [`noise`]: what a thousand samples more are worth;
 //! * [`robustness`]: computations in plain forms and in those that hold in hard cases;
 //! * [`stopwatch`]: how long one thing takes for the time of another.
 
 pub mod convergence;
 pub mod cost;
 pub mod named;
-pub mod noise;
-pub mod price;
 pub mod robustness;
 pub mod stopwatch;
 pub mod study;

@@ -1,10 +1,10 @@
 //! A mixture among surfaces that all glow: what the choice of one ray does to mean, variance and
 //! cost, with closed forms.
 
-use crate::color::Rgb;
-use crate::materials::{BsdfSample, Choice, Mixture};
-use crate::sampling::stream::{Purpose, Stream};
 use glam::Vec3;
+use halfdisk::color::Rgb;
+use halfdisk::materials::{BsdfSample, Choice, Mixture};
+use halfdisk::sampling::stream::{Purpose, Stream};
 
 /// A world in which every ray meets the same mixture, and every surface glows with radiance one, to
 /// all sides alike.
@@ -69,8 +69,8 @@ impl MixedFurnace {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::stats::Estimate;
-    use crate::stats::z_test::z_test;
+    use halfdisk::stats::Estimate;
+    use halfdisk::stats::z_test::z_test;
 
     fn furnace(choice: Choice) -> MixedFurnace {
         MixedFurnace {

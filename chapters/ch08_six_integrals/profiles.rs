@@ -1,11 +1,11 @@
 //! The six integrals of a picture one at a time, each seen in a row of pixels with a closed form.
 
-use crate::integrators::{Distributed, Integral};
-use crate::render::{Options, render};
-use crate::scene::description::Description;
-use crate::scene::read::Source;
-use crate::scene::{RayCounts, SceneError, gallery};
-use crate::stats::Estimate;
+use halfdisk::integrators::{Distributed, Integral};
+use halfdisk::render::{Options, render};
+use halfdisk::scene::description::Description;
+use halfdisk::scene::read::Source;
+use halfdisk::scene::{RayCounts, SceneError, gallery};
+use halfdisk::stats::Estimate;
 use std::f64::consts::PI;
 
 /// Pixels of each row.
@@ -16,11 +16,9 @@ const PIXELS: usize = 24;
 pub struct Profile {
     /// The only integral that is drawn.
     pub integral: Integral,
-    /// What the middles of the pixels are places of, with the unit.
-    pub axis: &'static str,
-    /// The width of the blur in units of the axis, where it has one.
+    /// The width of the blur in units of its places, where it has one.
     pub width: Option<f64>,
-    /// Where the first pixel's middle is, and how far they are apart.
+    /// Where the first pixel's middle is, and how far they are apart; each maker states the unit.
     places: [f64; 2],
     scene: String,
     exact: fn(f64) -> f64,
@@ -156,8 +154,8 @@ fn edge() -> Profile {
     }
     Profile {
         integral: Integral::Pixel,
-        axis: "pixels",
         width: None,
+        // Pixels.
         places: places(0.0, 1.0),
         scene: before(1.0, "") + plate,
         exact: |x| (shown(4.5 - x) - shown(-3.5 - x)) / 8.0,
@@ -183,8 +181,8 @@ fn penumbra() -> Profile {
     );
     Profile {
         integral: Integral::Light,
-        axis: "scene units",
         width: Some(2.0 * half * blocker / (height - blocker)),
+        // Scene units.
         places: places(0.0, 0.0125),
         scene: above(0.0, 0.5, 0.0125) + &objects,
         exact: |x| {
@@ -211,8 +209,8 @@ fn confusion() -> Profile {
     let plate = "[[objects]]\nemits = 1\nquad = { corner = [-40, -20, 0], u = [40, 0, 0], v = [0, 40, 0] }\n";
     Profile {
         integral: Integral::Lens,
-        axis: "scene units in the plane of the edge",
         width: Some(1.5),
+        // Scene units in the plane of the edge.
         places: places(0.0, 0.1),
         scene: before(0.1, ", lens_radius = 0.5, focus = 4") + plate,
         // The part of a disk of radius 3/4 that lies left of the edge.
@@ -229,8 +227,8 @@ fn motion() -> Profile {
                  quad = { corner = [-41.5, -20, 0], u = [40, 0, 0], v = [0, 40, 0] }\n";
     Profile {
         integral: Integral::Time,
-        axis: "scene units",
         width: Some(1.5),
+        // Scene units.
         places: places(0.0, 0.1),
         scene: before(0.1, ", shutter = [0.5, 1.5]") + plate,
         exact: |x| ((0.75 - x) / 1.5).clamp(0.0, 1.0),
@@ -253,8 +251,8 @@ fn gloss() -> Profile {
     let step = 1.0 / PIXELS as f64;
     Profile {
         integral: Integral::Gloss,
-        axis: "roughness",
         width: None,
+        // Roughness.
         places: [step, step],
         scene: format!("background = 1\n{}{plates}", above(0.0, 1000.0, 1.0)),
         exact: lobe_energy,
@@ -288,8 +286,8 @@ fn wall() -> Profile {
                    quad = { corner = [0, 0, 2000], u = [0, 0, -4000], v = [0, 1, 0] }\n";
     Profile {
         integral: Integral::Hemisphere,
-        axis: "distance from the wall in its heights",
         width: None,
+        // Distance from the wall in its heights.
         places: places(2.0, pixel),
         scene: format!("background = 1\n{}{objects}", above(2.0, 5.0, pixel)),
         exact: |x| 0.5 * (1.0 + x / (x * x + 1.0).sqrt()),

@@ -1,18 +1,18 @@
 //! Several paths from the first surface on: something between a tree and a path.
 //!
-//! Simulates what [`NextEvent`](crate::integrators::NextEvent) simulates, with the same expected
+//! Simulates what [`NextEvent`](halfdisk::integrators::NextEvent) simulates, with the same expected
 //! value. The ray from the eye is shared by all paths of a sample, and so is what it decides: where
 //! in its pixel it passes, and which surface it meets. More paths for each such ray average less of
 //! that, and save the ray.
 //!
 //! Source: Arvo, Kirk, Particle Transport and Image Synthesis (SIGGRAPH 1990), for splitting.
 
-use crate::color::Rgb;
-use crate::integrators::Integrator;
-use crate::integrators::world::{World, next_event};
-use crate::sampling::stream::Stream;
-use crate::scene::Tracer;
-use crate::space::{Ray, Solid, Space};
+use halfdisk::color::Rgb;
+use halfdisk::integrators::Integrator;
+use halfdisk::integrators::world::{World, next_event};
+use halfdisk::sampling::stream::Stream;
+use halfdisk::scene::Tracer;
+use halfdisk::space::{Ray, Solid, Space};
 
 /// Random walks with shadow rays that share their first segment.
 #[derive(Clone, Copy, Debug)]

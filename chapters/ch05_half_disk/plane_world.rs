@@ -1,12 +1,12 @@
 //! What a point of a flat world reflects: point lamps are sampled, glowing surfaces are found by chance.
 
-use super::directions::Recipe;
-use super::gather::{Gather, step1_direction, step2_turn, step4_cosine};
-use crate::flatland::{FlatHit, FlatWorld};
-use crate::integrators::world::{FlatTracer, Lights, World};
-use crate::sampling::stream::{Purpose, Stream};
-use crate::space::{Flat, Space};
-use crate::stats::Estimate;
+use halfdisk::flatland::{FlatHit, FlatWorld};
+use halfdisk::integrators::world::{FlatTracer, Lights, World};
+use halfdisk::lab::estimators::directions::Recipe;
+use halfdisk::lab::estimators::gather::{Gather, step1_direction, step2_turn, step4_cosine};
+use halfdisk::sampling::stream::{Purpose, Stream};
+use halfdisk::space::{Flat, Space};
+use halfdisk::stats::Estimate;
 use rayon::prelude::*;
 
 /// The red light that a point of a flat world reflects, over `count` gathers.

@@ -43,12 +43,6 @@ impl Game {
         self.variance() * self.rays()
     }
 
-    /// The value of a walk that survives `surfaces` of them.
-    pub fn value(&self, surfaces: u32) -> f64 {
-        let ratio = self.albedo / self.survival;
-        (0..surfaces).fold(1.0, |sum, _| 1.0 + ratio * sum)
-    }
-
     /// The mean of `f` over walks that survive fewer than `surfaces`; longer ones count as zero.
     pub fn mean_of(&self, surfaces: u32, f: impl Fn(f64) -> f64) -> f64 {
         let mut chance = 1.0 - self.survival;
@@ -117,7 +111,12 @@ mod tests {
             albedo: 0.8,
             survival: 0.4,
         };
-        assert_eq!([0, 1, 2, 3].map(|k| game.value(k)), [1.0, 3.0, 7.0, 15.0]);
+        let surviving_up_to = |k| game.mean_of(k + 1, |value| value);
+        for (k, value) in [(1, 3.0), (2, 7.0), (3, 15.0)] {
+            let chance = 0.6 * 0.4_f64.powi(k);
+            let seen = (surviving_up_to(k as u32) - surviving_up_to(k as u32 - 1)) / chance;
+            assert!((seen - value).abs() < 1e-12, "{k} surfaces: {seen}");
+        }
         assert!(game.clamped(1.0) > 0.999_999 && game.clamped(7.0) < game.mean());
     }
 }

@@ -1,4 +1,4 @@
-//! Next-event estimation that asks one lamp, where [`NextEvent`](crate::integrators::NextEvent) asks
+//! Next-event estimation that asks one lamp, where [`NextEvent`](halfdisk::integrators::NextEvent) asks
 //! all of them.
 //!
 //! Simulates the same paths with the same expected value: a lamp that is asked with probability `p`
@@ -8,13 +8,13 @@
 //! Source: Shirley, Wang, Zimmerman, Monte Carlo Techniques for Direct Lighting Calculations (TOG
 //! 15(1), 1996).
 
-use crate::color::Rgb;
-use crate::integrators::Integrator;
-use crate::integrators::world::World;
-use crate::sampling::discrete::Discrete;
-use crate::sampling::stream::{Purpose, Stream};
-use crate::scene::Tracer;
-use crate::space::{Ray, Solid, Space};
+use halfdisk::color::Rgb;
+use halfdisk::integrators::Integrator;
+use halfdisk::integrators::world::World;
+use halfdisk::sampling::discrete::Discrete;
+use halfdisk::sampling::stream::{Purpose, Stream};
+use halfdisk::scene::Tracer;
+use halfdisk::space::{Ray, Solid, Space};
 
 /// The random walk with one shadow ray at each surface.
 #[derive(Clone, Debug)]

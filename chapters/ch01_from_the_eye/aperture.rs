@@ -3,9 +3,9 @@
 //! A point lamp sends rays everywhere; the eye is a slit (in the flat world) or a round hole (in
 //! space) that faces it. Most rays miss, and a pinhole is missed by all of them.
 
-use crate::sampling::stream::{Numbers, Purpose, Stream};
-use crate::sampling::warps;
-use crate::{numeric, stats::Estimate};
+use halfdisk::sampling::stream::{Numbers, Purpose, Stream};
+use halfdisk::sampling::warps;
+use halfdisk::{numeric, stats::Estimate};
 use std::f64::consts::PI;
 
 /// The chance that a ray of the flat world enters a slit of `width` at `distance`:

@@ -4,7 +4,7 @@
 //! numbers. Two runs apart would hide it in their own noise. So the longer run contains the shorter
 //! one, and any block may be the one that is left out: both noises come from the same blocks.
 
-use crate::stats::{Measurement, jackknife};
+use halfdisk::stats::{Measurement, jackknife};
 use rayon::prelude::*;
 
 /// Blocks of each run: twenty, and one more.
@@ -76,7 +76,7 @@ fn squares(off: &[f64]) -> Squares {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::sampling::stream::{Purpose, Stream};
+    use halfdisk::sampling::stream::{Purpose, Stream};
 
     #[test]
     fn the_falls_are_those_of_the_root_and_a_mean_that_drifts_is_noticed() {

@@ -4,17 +4,17 @@
 //! segment of the flat world, a sphere in space. The surface has albedo 1, and reflects `sin a` in
 //! the flat world and `sin² a` in space.
 
-use super::directions::Recipe;
-use super::gather::Gather;
-use super::walks::{self, Walks};
-use super::worlds::{self, Lit};
-use crate::flatland;
-use crate::integrators::world::World;
-use crate::integrators::{Kajiya, NextEvent};
-use crate::scene::read::Source;
-use crate::scene::{SceneError, gallery};
-use crate::space::{Flat, Ray, Solid, Space};
 use glam::Vec2;
+use halfdisk::flatland;
+use halfdisk::integrators::world::World;
+use halfdisk::integrators::{Kajiya, NextEvent};
+use halfdisk::lab::estimators::directions::Recipe;
+use halfdisk::lab::estimators::gather::Gather;
+use halfdisk::lab::estimators::walks::{self, Walks};
+use halfdisk::lab::estimators::worlds::{self, Lit};
+use halfdisk::scene::read::Source;
+use halfdisk::scene::{SceneError, gallery};
+use halfdisk::space::{Flat, Ray, Solid, Space};
 use std::f64::consts::{FRAC_PI_4, PI};
 
 /// How the lamp is found.

@@ -6,15 +6,15 @@
 //! divided by what a pixel's share of pupil and film amounts to. Both simulate the paths `LE` and
 //! `LDE`, and none of them looks for shadows.
 
-use crate::color::Rgb;
-use crate::geometry::Ray;
-use crate::lights::{Light, SphereLight};
-use crate::render::{Film, Pixel};
-use crate::sampling::frame::Frame;
-use crate::sampling::stream::{Purpose, Stream};
-use crate::sampling::{hemisphere, warps};
-use crate::scene::{Interaction, Scene, SceneError, Tracer};
-use crate::stats::Estimate;
+use halfdisk::color::Rgb;
+use halfdisk::geometry::Ray;
+use halfdisk::lights::{Light, SphereLight};
+use halfdisk::render::{Film, Pixel};
+use halfdisk::sampling::frame::Frame;
+use halfdisk::sampling::stream::{Purpose, Stream};
+use halfdisk::sampling::{hemisphere, warps};
+use halfdisk::scene::{Interaction, Scene, SceneError, Tracer};
+use halfdisk::stats::Estimate;
 use rayon::prelude::*;
 use std::f32::consts::PI;
 

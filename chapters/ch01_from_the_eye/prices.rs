@@ -1,9 +1,9 @@
 //! What the same error costs two ways: pictures from the light and from the eye, against the
 //! number of rays.
 
-use crate::lab::estimators::two_ways::TwoWays;
-use crate::render::{Film, compare};
-use crate::stats::Estimate;
+use crate::two_ways::TwoWays;
+use halfdisk::render::{Film, compare};
+use halfdisk::stats::Estimate;
 
 /// The error of one way at one number of rays.
 #[derive(Clone, Copy, Debug)]
@@ -39,7 +39,7 @@ impl Prices {
 ///
 /// The error of an unbiased picture falls as one over the root of its rays, so its squared error
 /// times its rays is a price that does not depend on how many there were.
-pub fn two_ways(
+pub fn measure(
     view: &TwoWays,
     reference: &Film,
     doublings: u32,

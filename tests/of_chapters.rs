@@ -1,0 +1,26 @@
+//! The algorithms that chapters own, as the tests use them.
+#![allow(dead_code, reason = "a chapter uses what no test asks for")]
+
+#[path = "../chapters/ch01_from_the_eye/two_ways.rs"]
+pub mod two_ways;
+
+#[path = "../chapters/ch08_six_integrals/profiles.rs"]
+pub mod profiles;
+
+#[path = "../chapters/ch09_one_ray/split.rs"]
+pub mod split;
+
+#[path = "../chapters/ch10_which_ray/mixed_furnace.rs"]
+pub mod mixed_furnace;
+
+#[path = "../chapters/ch11_roulette/survival.rs"]
+pub mod survival;
+
+#[path = "../chapters/ch12_aim_at_the_light/pick_one.rs"]
+pub mod pick_one;
+
+#[path = "../chapters/ch12_aim_at_the_light/shrinking_lamp.rs"]
+pub mod shrinking_lamp;
+
+#[path = "../chapters/ch14_cost/noise.rs"]
+pub mod noise;
