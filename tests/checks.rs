@@ -3,6 +3,9 @@
 use halfdisk::stats::Estimate;
 use halfdisk::stats::z_test::{FOUR, ROUNDING, z_test};
 
+/// Where tests of many numbers draw the line, in standard errors: one right estimate in 92 000 lies beyond.
+pub const CRITICAL: f64 = 4.4;
+
 /// Accepts a right estimate, and only where it would have noticed a bias of 1 % of `scale`.
 #[track_caller]
 pub fn accept(name: &str, estimate: &Estimate, truth: f64, scale: f64) {

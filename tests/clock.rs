@@ -1,6 +1,7 @@
 //! Pictures that the clock ended, of scenes of the gallery: their mean is that of long ones.
 
-use crate::stopping::{CRITICAL, Counted, Work, for_time, options, small};
+use crate::checks::CRITICAL;
+use crate::stopping::{Counted, Work, for_time, options, small};
 use halfdisk::integrators::Path;
 use halfdisk::render::stopping::{StoppedBy, render_to};
 use halfdisk::render::{Options, render};

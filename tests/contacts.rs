@@ -1,6 +1,7 @@
 //! Surfaces within rounding of each other, one of which shines: aiming and chance agree on what is
 //! met, whatever the order of the file.
 
+use crate::checks::CRITICAL;
 use halfdisk::integrators::{Combine, Integrator, Kajiya, Path};
 use halfdisk::render::{Options, render};
 use halfdisk::sampling::mis::Heuristic;
@@ -8,8 +9,6 @@ use halfdisk::scene::Scene;
 use halfdisk::scene::gallery;
 use halfdisk::scene::read::Source;
 
-/// Level of each comparison: 4.4 standard errors, for some hundred of them.
-const CRITICAL: f64 = 4.4;
 /// The smallest bias that each comparison has to see; what is met twice, or never, is a matter of
 /// thirty per cent and more.
 const SMALLEST: f64 = 0.1;

@@ -30,6 +30,7 @@ mod motion;
 mod mutations;
 mod notation;
 mod of_chapters;
+mod pairs;
 mod path;
 mod peers;
 mod random_scenes;

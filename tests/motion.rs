@@ -1,6 +1,7 @@
 //! Scenes in motion: at each moment a scene that stands still, and lamps that are aimed at where
 //! they are.
 
+use crate::checks::CRITICAL;
 use crate::checks::{alike, of, unlike};
 use crate::cli::{complaint, folder, halfdisk};
 use glam::Vec3;
@@ -17,8 +18,6 @@ use halfdisk::stats::Estimate;
 use halfdisk::stats::z_test::z_test;
 use std::f64::consts::PI;
 use std::path::Path as File;
-
-const CRITICAL: f64 = 4.4;
 
 /// A scene file: its shutter, and what is in it.
 fn text(shutter: [f64; 2], objects: &str) -> String {

@@ -69,7 +69,8 @@ fn on_every_scene_of_the_gallery() {
 
 #[test]
 fn looking_towards_glass_changes_the_noise_and_not_the_mean() {
-    for (name, gain) in [("spheres", 1.02), ("caustic", 0.95)] {
+    // Errors over errors without, of eleven seeds: 0.70 ± 0.03 and 0.64 ± 0.06.
+    for (name, most) in [("spheres", 0.8), ("caustic", 0.85)] {
         let scene = small(name);
         let path = Path::new(scene.suggested.max_depth);
         let looking = picture(&scene, &path, 4096, 1);
@@ -81,8 +82,9 @@ fn looking_towards_glass_changes_the_noise_and_not_the_mean() {
         alike(name, mean(&looking), mean(&not), 0.06);
         let z = compare::z_scores(&looking.in_squares(8), &not.in_squares(8)).unwrap();
         assert!(z.largest < 6.0, "{name}: {}", z.largest);
-        // Errors over errors without: little is gained where most glass is close by.
-        assert!(error(&looking) < gain * error(&not), "{name}");
+        let share = error(&looking) / error(&not);
+        println!("{name}: {share:.2} of the error");
+        assert!(share < most, "{name}: {share}");
     }
 }
 

@@ -1,6 +1,7 @@
 //! Renders that end by the clock, and renders in which there is nothing to see: they end, without bias,
 //! and say what is not known.
 
+use crate::checks::CRITICAL;
 use halfdisk::color::Rgb;
 use halfdisk::geometry::Ray;
 use halfdisk::integrators::{Integrator, Kajiya, Path};
@@ -15,9 +16,6 @@ use halfdisk::stats::Estimate;
 use halfdisk::time::Moment;
 use std::sync::atomic::{AtomicU64, Ordering};
 use std::time::{Duration, Instant};
-
-/// Standard errors beyond which a test rejects: a level of 1e-5 for each comparison.
-pub const CRITICAL: f64 = 4.4;
 
 pub fn small(name: &str, size: [u32; 2]) -> Scene {
     load(name).expect("a scene of the gallery").sized(size)

@@ -3,6 +3,7 @@
 //! |z| ≤ 4.4 passes (one right estimate in 92 000 does not), where a bias of the given share would
 //! have been noticed.
 
+use crate::checks::CRITICAL;
 use glam::{Vec2, Vec3};
 use halfdisk::color::Rgb;
 use halfdisk::flatland;
@@ -20,8 +21,6 @@ use halfdisk::stats::Estimate;
 use halfdisk::stats::z_test::z_test;
 use rayon::prelude::*;
 use std::f64::consts::PI;
-
-const CRITICAL: f64 = 4.4;
 
 /// A scene, a ray, and the radiance along it.
 struct Row {

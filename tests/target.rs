@@ -1,5 +1,6 @@
 //! What accuracy costs: errors that can be trusted, and renders that end at one.
 
+use crate::checks::CRITICAL;
 use halfdisk::color::Rgb;
 use halfdisk::geometry::Ray;
 use halfdisk::integrators::{Integrator, Path};
@@ -11,8 +12,6 @@ use halfdisk::scene::gallery::load;
 use halfdisk::scene::{Scene, Tracer};
 use halfdisk::stats::Estimate;
 
-/// Standard errors beyond which a test rejects: a level of 1e-5 for each comparison.
-const CRITICAL: f64 = 4.4;
 const RMS: Measure = Measure::RootMeanSquare;
 
 fn small(name: &str, size: [u32; 2]) -> Scene {

@@ -1,140 +1,34 @@
 //! Samples against densities: each density integrates to one, and the samples follow it.
 
-use glam::{DVec3, Vec2, Vec3};
-use halfdisk::sampling::stream::{Purpose, Stream};
+use crate::pairs::{Cap, Disk, deviates, follows};
+use glam::{Vec2, Vec3};
 use halfdisk::sampling::{hemisphere, warps};
-use halfdisk::stats::chi_square::{ChiSquare, chi_square};
-use halfdisk::stats::z_test::sidak;
-use std::f64::consts::TAU;
 
-/// The probability that any of the chi-square tests below rejects a right pair.
-const SIGNIFICANCE: f64 = 1e-3;
-/// How many of them there are, here and in `twins`: twenty pairs at two resolutions each.
-const TESTS: u32 = 40;
-/// Rows and columns of cells: coarse sees a smooth error, fine a local one.
-const RESOLUTIONS: [[usize; 2]; 2] = [[8, 4], [20, 40]];
-
-/// What is sampled, as the image of the unit square.
-#[derive(Clone, Copy)]
-pub enum Domain {
-    /// Unit directions `ω` with `1 - ω.z` up to this.
-    Cap(f64),
-    /// The unit disc in the plane `z = 0`.
-    Disk,
-}
-
-impl Domain {
-    fn point(self, [a, b]: [f64; 2]) -> Vec3 {
-        let (sin, cos) = libm::sincos(TAU * b);
-        let (r, z) = match self {
-            Domain::Cap(top) => ((a * top * (2.0 - a * top)).sqrt(), 1.0 - a * top),
-            Domain::Disk => (a, 0.0),
-        };
-        DVec3::new(r * cos, r * sin, z).as_vec3()
-    }
-
-    fn square(self, w: Vec3) -> [f64; 2] {
-        let w = w.as_dvec3();
-        let r2 = w.x * w.x + w.y * w.y;
-        let a = match self {
-            // The difference from the squares near the pole, where `1 - z` has lost its digits.
-            Domain::Cap(top) if w.z > 0.0 => r2 / (1.0 + (1.0 - r2).max(0.0).sqrt()) / top,
-            Domain::Cap(top) => (1.0 - w.z) / top,
-            Domain::Disk => r2.sqrt(),
-        };
-        let turn = libm::atan2(w.y, w.x) / TAU;
-        [a, if turn < 0.0 { turn + 1.0 } else { turn }]
-    }
-
-    /// Measure of the domain per measure of the square.
-    fn stretch(self, [a, _]: [f64; 2]) -> f64 {
-        match self {
-            Domain::Cap(top) => TAU * top,
-            Domain::Disk => TAU * a,
-        }
-    }
-
-    /// The integral of `pdf` over a rectangle of the square, by midpoints.
-    fn integral(self, pdf: &impl Fn(Vec3) -> f32, low: [f64; 2], size: [f64; 2]) -> f64 {
-        const STEPS: usize = 64;
-        let mut sum = 0.0;
-        for i in 0..STEPS * STEPS {
-            let steps = [i / STEPS, i % STEPS].map(|k| (k as f64 + 0.5) / STEPS as f64);
-            let x = [0, 1].map(|k| low[k] + size[k] * steps[k]);
-            sum += f64::from(pdf(self.point(x))) * self.stretch(x);
-        }
-        sum * size[0] * size[1] / (STEPS * STEPS) as f64
-    }
-}
-
-pub fn check(
-    name: &str,
-    domain: Domain,
-    sample: impl Fn([f32; 2]) -> Vec3,
-    pdf: impl Fn(Vec3) -> f32,
-) {
-    const SAMPLES: u32 = 1_000_000;
-    for [rows, columns] in RESOLUTIONS {
-        let size = [1.0 / rows as f64, 1.0 / columns as f64];
-        let expected: Vec<f64> = (0..rows * columns)
-            .map(|i| [i / columns, i % columns])
-            .map(|cell| [0, 1].map(|k| cell[k] as f64 * size[k]))
-            .map(|low| domain.integral(&pdf, low, size))
-            .collect();
-        let total: f64 = expected.iter().sum();
-        assert!(
-            (total - 1.0).abs() < 1e-4,
-            "{name}: the density integrates to {total}"
-        );
-        let mut counts = vec![0_u64; rows * columns];
-        // Numbers of its own for each pair.
-        let seed = name.bytes().map(u64::from).sum();
-        let mut u = Stream::new(seed, 0, 0).at(0, Purpose::Direction);
-        for _ in 0..SAMPLES {
-            let [a, b] = domain.square(sample(u.two()));
-            let row = ((a * rows as f64) as usize).min(rows - 1);
-            let column = ((b * columns as f64) as usize).min(columns - 1);
-            counts[row * columns + column] += 1;
-        }
-        let expected: Vec<f64> = expected.iter().map(|p| p * f64::from(SAMPLES)).collect();
-        judge(name, total, &counts, &expected);
-    }
-}
-
-/// Accepts counts that follow what was expected of them.
-pub fn judge(name: &str, total: f64, counts: &[u64], expected: &[f64]) {
-    let ChiSquare {
-        statistic,
-        freedom,
-        p,
-    } = chi_square(counts, expected);
-    println!("{name}: integral {total:.6}, chi2 {statistic:.1} of {freedom}, p {p:.4}");
-    let level = sidak(SIGNIFICANCE, TESTS);
-    assert!(p > level, "{name}: chi2 {statistic:.1}, p {p:e}");
-}
-
-fn disk(u: [f32; 2]) -> Vec3 {
-    warps::sample_disk(u).extend(0.0)
+/// A density of directions or points in `f64`.
+fn wide<P>(pdf: impl Fn(P) -> f32) -> impl Fn(P) -> f64 {
+    move |p| f64::from(pdf(p))
 }
 
 #[test]
 fn cosine_hemisphere() {
-    let (sample, pdf) = (hemisphere::sample_cosine, hemisphere::pdf_cosine);
-    check("cosine", Domain::Cap(1.0), sample, pdf);
+    let pdf = wide(hemisphere::pdf_cosine);
+    follows("cosine", &Cap(1.0), hemisphere::sample_cosine, pdf);
 }
 
 #[test]
 fn sphere() {
-    let pdf = |_| warps::pdf_sphere();
-    check("sphere", Domain::Cap(2.0), warps::sample_sphere, pdf);
+    let pdf = wide(|_| warps::pdf_sphere());
+    follows("sphere", &Cap(2.0), warps::sample_sphere, pdf);
 }
 
 #[test]
 fn unit_disk() {
-    let pdf = |p: Vec3| warps::pdf_disk(p.truncate());
-    check("disk", Domain::Disk, disk, pdf);
-    let concentric = |u| warps::sample_disk_concentric(u).extend(0.0);
-    check("concentric disk", Domain::Disk, concentric, pdf);
+    for (name, sample) in [
+        ("disk", warps::sample_disk as fn([f32; 2]) -> Vec2),
+        ("concentric disk", warps::sample_disk_concentric),
+    ] {
+        follows(name, &Disk, sample, wide(warps::pdf_disk));
+    }
     assert_eq!(warps::sample_disk_concentric([0.5; 2]), Vec2::ZERO);
 }
 
@@ -142,35 +36,26 @@ fn unit_disk() {
 fn cones_from_the_hemisphere_down_to_a_distant_lamp() {
     for top in [1.0, 0.3, 1e-3, 1e-9] {
         let sample = |u| warps::sample_cone(u, top);
-        let pdf = |_| warps::pdf_cone(top);
-        check(
-            &format!("cone {top:e}"),
-            Domain::Cap(f64::from(top)),
-            sample,
-            pdf,
-        );
+        let pdf = wide(|_| warps::pdf_cone(top));
+        follows(&format!("cone {top:e}"), &Cap(top.into()), sample, pdf);
     }
 }
 
 #[test]
-#[should_panic(expected = "chi2")]
-fn a_wrong_pair_is_caught() {
-    let sample = |u| warps::sample_cone(u, 1.0);
-    check("wrong", Domain::Cap(1.0), sample, hemisphere::pdf_cosine);
-}
-
-#[test]
-#[should_panic(expected = "integrates")]
-fn a_wrong_constant_is_caught() {
-    let pdf = |w: Vec3| w.z / 3.0;
-    check("wrong", Domain::Cap(1.0), hemisphere::sample_cosine, pdf);
-}
-
-#[test]
-#[should_panic(expected = "chi2")]
-fn a_radius_without_its_square_root_is_caught() {
-    let pdf = |p: Vec3| warps::pdf_disk(p.truncate());
-    check("wrong", Domain::Disk, |u| disk([u[0] * u[0], u[1]]), pdf);
+fn wrong_pairs_are_caught() {
+    let uniform = |u| warps::sample_cone(u, 1.0);
+    let cosine = wide(hemisphere::pdf_cosine);
+    deviates("another density", "chi2", &Cap(1.0), uniform, &cosine);
+    let third = |w: Vec3| f64::from(w.z) / 3.0;
+    let sample = hemisphere::sample_cosine;
+    deviates("a wrong constant", "integrates", &Cap(1.0), sample, third);
+    let linear = |u: [f32; 2]| warps::sample_disk([u[0] * u[0], u[1]]);
+    let pdf = wide(warps::pdf_disk);
+    deviates("a radius without its root", "chi2", &Disk, linear, pdf);
+    let twice = |u: [f32; 2]| hemisphere::sample_cosine([u[0], u[0]]);
+    deviates("one uniform for both", "chi2", &Cap(1.0), twice, &cosine);
+    let below = |u: [f32; 2]| hemisphere::sample_cosine(u) * if u[1] < 0.01 { -1.0 } else { 1.0 };
+    deviates("some below", "integrates", &Cap(1.0), below, &cosine);
 }
 
 /// The smallest and largest uniforms and their middle.

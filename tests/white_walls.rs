@@ -1,12 +1,11 @@
 //! Rooms whose walls keep nearly all of the light: what a path is worth must not grow with its length.
 
+use crate::checks::CRITICAL;
 use halfdisk::integrators::{Integrator, Path};
 use halfdisk::sampling::stream::Stream;
 use halfdisk::scene::read::Source;
 use halfdisk::scene::{Tracer, gallery};
 use halfdisk::stats::Estimate;
-
-const CRITICAL: f64 = 4.4;
 
 /// Samples of the radiance in a room that glows with radiance 1 in all its points.
 fn samples(material: &str, max_depth: u32, count: u32) -> Vec<f64> {

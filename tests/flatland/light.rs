@@ -1,21 +1,12 @@
 //! What light does in the flat world: plain estimates against closed forms.
 
 use super::draw::Draw;
+use crate::checks::accept;
 use glam::{DVec2, Vec2};
 use halfdisk::flatland::{FlatWorld, exact, gallery, load};
 use halfdisk::scene::read::Source;
 use halfdisk::stats::Estimate;
 use std::f64::consts::PI;
-
-fn assert_near(estimate: &Estimate, truth: f64, what: &str) {
-    let z = estimate.z(truth);
-    let (mean, error) = (estimate.mean(), estimate.std_error());
-    println!(
-        "{what}: {mean:.6} ± {error:.6}, exactly {truth:.6}, z = {z:.2}, detects a bias of {:.3} %",
-        400.0 * error / truth
-    );
-    assert!(z.abs() <= 4.0 && error < truth * 0.0025, "{what}: z = {z}");
-}
 
 /// Irradiance at the probe from what it sees, by directions uniform in angle: `π` times the mean of
 /// `L cos θ`.
@@ -45,7 +36,7 @@ fn world(lamp: &str) -> FlatWorld {
 fn a_constant_sky() {
     let furnace = load("furnace").unwrap();
     let estimate = irradiance(&furnace, 60);
-    assert_near(&estimate, exact::sky(1.0), "sky");
+    accept("sky", &estimate, exact::sky(1.0), exact::sky(1.0));
     // π cos θ has the standard deviation √(π²/2 - 4).
     let sigma = estimate.variance().sqrt();
     assert!((sigma - 0.966_8).abs() < 0.004, "{sigma}");
@@ -57,15 +48,16 @@ fn segments() {
     let above = [DVec2::new(0.5, 1.0), DVec2::new(-0.5, 1.0)];
     let truth = exact::segment(1.0, above);
     assert!((truth - 2.0 / 5_f64.sqrt()).abs() < 1e-12);
-    assert_near(&irradiance(&lamp, 61), truth, "segment");
+    accept("segment", &irradiance(&lamp, 61), truth, truth);
     // Its far end is below the horizon.
     let ends = [DVec2::new(2.0, -1.0), DVec2::new(0.4, 0.9)];
     let sunk = world("segment = { from = [2, -1], to = [0.4, 0.9] }");
     let estimate = irradiance(&sunk, 62);
-    assert_near(
+    accept(
+        "segment across the horizon",
         &estimate,
         exact::segment(1.0, ends),
-        "segment across the horizon",
+        exact::segment(1.0, ends),
     );
     // The back of the same segment is dark.
     let turned = world("segment = { from = [0.4, 0.9], to = [2, -1] }");
@@ -116,7 +108,7 @@ fn strings_by_rays() {
     };
     let estimate: Estimate = (0..1_000_000).map(sample).collect();
     let truth = exact::form_factor(a.map(DVec2::from), b.map(DVec2::from));
-    assert_near(&estimate, truth, "form factor");
+    accept("form factor", &estimate, truth, truth);
 }
 
 /// Reflected radiance at the probe by a random walk: at each wall the light is absorbed or goes
@@ -144,12 +136,17 @@ fn walk(world: &FlatWorld, seed: u64, walks: u32) -> Estimate {
 #[test]
 fn the_room_by_random_walks() {
     let room = load("room").unwrap();
-    assert_near(&walk(&room, 69, 4_000_000), exact::ROOM_FLOOR, "room");
+    accept(
+        "room",
+        &walk(&room, 69, 4_000_000),
+        exact::ROOM_FLOOR,
+        exact::ROOM_FLOOR,
+    );
 }
 
 #[test]
 fn two_plates_by_random_walks() {
     let plates = load("plates").unwrap();
     let truth = exact::plates(1.0, f64::from(0.3_f32), 0.5);
-    assert_near(&walk(&plates, 70, 1_000_000), truth, "plates");
+    accept("plates", &walk(&plates, 70, 1_000_000), truth, truth);
 }

@@ -1,6 +1,7 @@
 //! The same light, however the scene is put: scaled, turned, mirrored, doubled, cut in pieces.
 
 use super::{room_with, scene};
+use crate::checks::between;
 use glam::DVec3;
 use halfdisk::geometry::Ray;
 use halfdisk::integrators::{Entry, Integrator, Kajiya, Path, Roulette};
@@ -27,8 +28,7 @@ fn film(scene: &Scene, spp: u32, seed: u64) -> Film {
 
 /// By how many standard errors the means of two pictures differ.
 fn apart(a: &Film, b: &Film) -> f64 {
-    let ((a, ea), (b, eb)) = (a.mean(), b.mean());
-    (a - b) / ea.hypot(eb)
+    between(a.mean(), b.mean()).0
 }
 
 /// The room with every point sent elsewhere; `turns` where left and right change places.

@@ -8,6 +8,7 @@ mod weights;
 mod which_ray;
 mod wrong;
 
+use crate::checks::{CRITICAL, accept, between, reject};
 use glam::Vec3;
 use halfdisk::color::Rgb;
 use halfdisk::geometry::Ray;
@@ -18,11 +19,8 @@ use halfdisk::scene::gallery::{self, GALLERY};
 use halfdisk::scene::read::Source;
 use halfdisk::scene::{Scene, Tracer};
 use halfdisk::stats::Estimate;
-use halfdisk::stats::z_test::{ZTest, z_test};
 use std::f64::consts::PI;
 use wrong::{Slip, Wrong};
-
-const CRITICAL: f64 = 4.4;
 
 fn scene(objects: &str) -> Scene {
     let head = "name = 'test'\ncamera = { from = [0, 0, 0], to = [0, 0, 1], fov = 40 }\n\
@@ -66,26 +64,6 @@ fn radiance(integrator: &impl Integrator, scene: &Scene, ray: &Ray, walks: u32) 
     (0..walks).map(one).collect()
 }
 
-fn test(name: &str, estimate: &Estimate, truth: f64) -> ZTest {
-    let test = z_test(estimate, truth, CRITICAL);
-    println!("{name}: {:.6}, exact {truth:.6}, {test}", estimate.mean());
-    test
-}
-
-/// Accepts the truth, where a bias of `percent` of it would have been noticed.
-#[track_caller]
-fn accept(name: &str, estimate: &Estimate, truth: f64, percent: f64) {
-    let test = test(name, estimate, truth);
-    assert!(test.passes(), "{name}: {test}");
-    assert!(test.detects <= 0.01 * percent * truth, "{name}: {test}");
-}
-
-#[track_caller]
-fn reject(name: &str, estimate: &Estimate, truth: f64) {
-    let test = test(name, estimate, truth);
-    assert!(!test.passes(), "{name}: {test}");
-}
-
 #[test]
 fn a_closed_furnace_cut_at_each_depth() {
     let scene = furnace();
@@ -94,10 +72,10 @@ fn a_closed_furnace_cut_at_each_depth() {
         let truth = 2.0 - 2.0 * f64::powi(0.5, max_depth as i32);
         let name = format!("furnace, {max_depth} segments");
         let walk = radiance(&Kajiya { max_depth }, &scene, &ray, 1000);
-        accept(&format!("{name}, kajiya"), &walk, truth, 1e-3);
+        accept(&format!("{name}, kajiya"), &walk, truth, 1e-3 * truth);
         // In solid angle no lamp is too near, not even where two of them meet in an edge.
         let asking = radiance(&NextEvent { max_depth }, &scene, &ray, 400_000);
-        accept(&format!("{name}, next-event"), &asking, truth, 0.1);
+        accept(&format!("{name}, next-event"), &asking, truth, 0.1 * truth);
         let twice = walk_wrongly(Slip::CountTwice, max_depth, &scene, &ray, 40_000);
         if max_depth > 1 {
             reject(&format!("{name}, counted twice"), &twice, truth);
@@ -129,9 +107,14 @@ fn a_round_lamp_in_the_middle_of_a_round_room() {
             let ray = Ray::new(Vec3::ZERO, toward);
             let name = format!("round room, {max_depth} segments, {name}");
             let estimate = radiance(&walk, &scene, &ray, 50_000);
-            accept(&format!("{name}, kajiya"), &estimate, truth, 15.0);
+            accept(&format!("{name}, kajiya"), &estimate, truth, 15.0 * truth);
             let estimate = radiance(&asking, &scene, &ray, 50_000);
-            accept(&format!("{name}, next-event"), &estimate, truth, 2.0);
+            accept(
+                &format!("{name}, next-event"),
+                &estimate,
+                truth,
+                2.0 * truth,
+            );
         }
     }
 }
@@ -159,12 +142,17 @@ fn a_floor_under_a_square_lamp() {
         );
         let name = format!("square lamp at {h}");
         let walk = radiance(&Kajiya { max_depth: 2 }, &scene, &ray, 400_000);
-        accept(&format!("{name}, kajiya"), &walk, truth, 4.0);
+        accept(&format!("{name}, kajiya"), &walk, truth, 4.0 * truth);
         let asking = radiance(&NextEvent { max_depth: 2 }, &scene, &ray, 100_000);
-        accept(&format!("{name}, next-event"), &asking, truth, 1.0);
+        accept(&format!("{name}, next-event"), &asking, truth, truth);
         let twice = walk_wrongly(Slip::CountTwice, 2, &scene, &ray, 100_000);
         reject(&format!("{name}, counted twice"), &twice, truth);
-        accept("which is twice as much", &twice, 2.0 * truth, 5.0);
+        accept(
+            "which is twice as much",
+            &twice,
+            2.0 * truth,
+            5.0 * 2.0 * truth,
+        );
     }
 }
 
@@ -193,8 +181,8 @@ fn a_slab_and_a_corridor_of_mirrors_by_single_paths() {
             ),
         ),
     ] {
-        accept("slab, through", &through, 12.0 / 13.0, 0.5);
-        accept("slab, back", &back, 1.0 / 13.0, 5.0);
+        accept("slab, through", &through, 12.0 / 13.0, 0.5 * 12.0 / 13.0);
+        accept("slab, back", &back, 1.0 / 13.0, 5.0 * 1.0 / 13.0);
     }
     let forgotten = walk_wrongly(Slip::NoProbability, 32, &slab, &middle, 100_000);
     reject("slab, probability forgotten", &forgotten, 12.0 / 13.0);
@@ -204,9 +192,19 @@ fn a_slab_and_a_corridor_of_mirrors_by_single_paths() {
         let ray = Ray::new(Vec3::ZERO, Vec3::new(6.0, n as f32, 0.0).normalize());
         let truth = f64::powi(0.9, n);
         let walk = radiance(&Kajiya { max_depth: 16 }, &tunnel, &ray, 100);
-        accept(&format!("corridor, {n}, kajiya"), &walk, truth, 1e-3);
+        accept(
+            &format!("corridor, {n}, kajiya"),
+            &walk,
+            truth,
+            1e-3 * truth,
+        );
         let asking = radiance(&NextEvent { max_depth: 16 }, &tunnel, &ray, 100);
-        accept(&format!("corridor, {n}, next-event"), &asking, truth, 1e-3);
+        accept(
+            &format!("corridor, {n}, next-event"),
+            &asking,
+            truth,
+            1e-3 * truth,
+        );
     }
 }
 
@@ -225,14 +223,8 @@ fn picture(name: &str, side: u32, integrator: &impl Integrator, spp: u32, seed: 
 
 /// The distance of two pictures' means in standard errors.
 fn apart(name: &str, a: &Film, b: &Film) -> f64 {
-    let ((a_mean, a_error), (b_mean, b_error)) = (a.mean(), b.mean());
-    let error = a_error.hypot(b_error);
-    let z = (a_mean - b_mean) / error;
-    println!(
-        "{name}: means {a_mean:.5} ± {a_error:.5} and {b_mean:.5} ± {b_error:.5}, z = {z:.2}, \
-         detects {:.2} %",
-        100.0 * (CRITICAL + 1.28) * error / b_mean
-    );
+    let (z, notices) = between(a.mean(), b.mean());
+    println!("{name}: z {z:+.2}, would notice {:.2} %", 100.0 * notices);
     z
 }
 

@@ -1,6 +1,7 @@
 //! Two techniques with weights, against quadratures, in furnaces, and misled.
 
-use super::{CRITICAL, accept, radiance};
+use super::radiance;
+use crate::checks::{CRITICAL, accept};
 use glam::Vec2;
 use halfdisk::flatland;
 use halfdisk::geometry::Ray;
@@ -157,7 +158,7 @@ fn inside_a_glowing_room_every_walk_reads_the_closed_form() {
                 &format!("room of {albedo}, {name}"),
                 &estimate,
                 truth,
-                percent,
+                percent * truth,
             );
         };
         let walk = Kajiya { max_depth };
@@ -211,6 +212,6 @@ fn inside_a_glowing_polygon_too() {
             f64::from((shares.by_chance + shares.by_aiming).r)
         };
         let read: Estimate = (0..10_000).map(one).collect();
-        accept("round room", &read, 2.0, 2.0);
+        accept("round room", &read, 2.0, 2.0 * 2.0);
     }
 }

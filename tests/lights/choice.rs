@@ -1,6 +1,7 @@
 //! One light among many.
 
-use super::{CRITICAL, scene};
+use super::scene;
+use crate::checks::CRITICAL;
 use halfdisk::integrators::{Integrator, Kajiya, NextEvent, Whitted};
 use halfdisk::lights::{Light, LightChoice, PointLight};
 use halfdisk::render::{Options, render};

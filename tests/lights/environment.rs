@@ -1,7 +1,9 @@
 //! Images around the scene: convention, density, irradiance, and files that are wrong.
 
-use super::{CRITICAL, GROUND, irradiance};
+use super::{GROUND, irradiance};
+use crate::checks::CRITICAL;
 use crate::checks::{alike, of, unlike};
+use crate::pairs::{BothSides, deviates, follows};
 use glam::Vec3;
 use halfdisk::color::Rgb;
 use halfdisk::geometry::{Ray, Surface};
@@ -12,7 +14,6 @@ use halfdisk::sampling::stream::{Purpose, Stream};
 use halfdisk::scene::read::Source;
 use halfdisk::scene::{Scene, SceneError, Tracer, gallery};
 use halfdisk::stats::Estimate;
-use halfdisk::stats::chi_square::chi_square;
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
 use std::path::Path;
 
@@ -104,54 +105,26 @@ fn uneven(width: usize, height: usize) -> Vec<Rgb> {
 
 #[test]
 fn samples_follow_the_density() {
-    const SAMPLES: u32 = 400_000;
     for [width, height] in [[8, 4], [40, 20]] {
         let environment = light(width, uneven(width, height), 0.3);
-        // Cells that are no pixels: their edges lie elsewhere by the turn and by the other heights.
-        let [columns, rows] = [width - 1, height - 1];
-        let mut expected = vec![0.0; columns * rows];
-        let [across, down] = [columns, rows].map(|n| n * (3000 / n));
-        let cell = |w: Vec3| {
-            let phi = libm::atan2(f64::from(w.x), f64::from(-w.z)) / TAU + 0.5;
-            let z = 0.5 - 0.5 * f64::from(w.y);
-            let index = |x: f64, n: usize| ((x * n as f64) as usize).min(n - 1);
-            index(z, rows) * columns + index(phi, columns)
+        // The cells are those of another axis, so that no edge of theirs is one of the pixels.
+        let pdf = |w: Vec3| f64::from(environment.pdf(w));
+        let drawn = |light: &EnvironmentLight, u| {
+            let sample = light.sample(&GROUND, 0.5, u);
+            sample.map_or(Vec3::ZERO, |sample| sample.wi)
         };
-        for i in 0..down {
-            let y = 1.0 - 2.0 * (i as f64 + 0.5) / down as f64;
-            for j in 0..across {
-                let (sin, cos) = libm::sincos(TAU * ((j as f64 + 0.5) / across as f64 - 0.5));
-                let r = (1.0 - y * y).sqrt();
-                let w = Vec3::new((r * sin) as f32, y as f32, (-r * cos) as f32);
-                expected[cell(w)] += f64::from(environment.pdf(w));
-            }
-        }
-        let total: f64 = expected.iter().sum::<f64>() * 4.0 * PI / (across * down) as f64;
-        assert!(
-            (total - 1.0).abs() < 2e-3,
-            "the density integrates to {total}"
+        let name = format!("{width} x {height}");
+        follows(&name, &BothSides, |u| drawn(&environment, u), pdf);
+        let turned = light(width, uneven(width, height), -0.3);
+        deviates(
+            "turned the other way",
+            "chi2",
+            &BothSides,
+            |u| drawn(&turned, u),
+            pdf,
         );
-        let sum: f64 = expected.iter().sum();
-        expected
-            .iter_mut()
-            .for_each(|e| *e *= f64::from(SAMPLES) / sum);
-        let count = |environment: &EnvironmentLight, u_twice: bool| {
-            let mut counts = vec![0; expected.len()];
-            for i in 0..SAMPLES {
-                let [a, b] = Stream::new(6, i, 0).at(0, Purpose::LightPoint).two();
-                let u = if u_twice { [a, a] } else { [a, b] };
-                if let Some(sample) = environment.sample(&GROUND, 0.5, u) {
-                    counts[cell(sample.wi)] += 1;
-                }
-            }
-            chi_square(&counts, &expected).p
-        };
-        let p = count(&environment, false);
-        println!("{width} x {height}: integral {total:.5}, p {p:.4}");
-        assert!(p > 1e-4, "{p:e}");
-        // The mistakes of an image turned the other way, and of one uniform used for both.
-        assert!(count(&light(width, uneven(width, height), -0.3), false) < 1e-9);
-        assert!(count(&environment, true) < 1e-9);
+        let twice = |[a, _]: [f32; 2]| drawn(&environment, [a, a]);
+        deviates("one uniform for both", "chi2", &BothSides, twice, pdf);
     }
 }
 

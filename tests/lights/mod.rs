@@ -18,8 +18,6 @@ use halfdisk::scene::gallery;
 use halfdisk::scene::read::Source;
 use halfdisk::stats::Estimate;
 
-pub const CRITICAL: f64 = 4.4;
-
 /// The ground at the origin, facing up.
 pub const GROUND: Surface = Surface {
     p: Vec3::ZERO,

@@ -1,14 +1,14 @@
 //! Rectangles by solid angle: closed forms, variances, and cells of equal size on the lamp.
 
-use super::{CRITICAL, GROUND, irradiance, irradiance_by, polygon, scene};
+use super::{GROUND, irradiance, irradiance_by, polygon, scene};
+use crate::checks::CRITICAL;
+use crate::pairs::{Domain, Rectangle, deviates, follows};
 use glam::{DVec3, Vec3};
 use halfdisk::color::Rgb;
 use halfdisk::geometry::{Quad, Surface};
 use halfdisk::lights::{Incident, Light, QuadLight};
 use halfdisk::sampling::spherical_rectangle::SphericalRectangle;
-use halfdisk::sampling::stream::{Purpose, Stream};
 use halfdisk::stats::Estimate;
-use halfdisk::stats::chi_square::chi_square;
 use std::f64::consts::PI;
 
 fn lamp(corner: [f64; 3], u: DVec3, v: DVec3) -> QuadLight {
@@ -78,44 +78,6 @@ fn a24_a_square_at_any_height() {
     }
 }
 
-/// Counts of points in cells of the rectangle against the solid angle of each by midpoints.
-fn cells(
-    x: [f64; 2],
-    y: [f64; 2],
-    z: f64,
-    counts_of: [usize; 2],
-    draw: impl Fn([f32; 2]) -> [f64; 2],
-) -> f64 {
-    const SAMPLES: u32 = 400_000;
-    const STEPS: usize = 64;
-    let [columns, rows] = counts_of;
-    let (width, height) = ((x[1] - x[0]) / columns as f64, (y[1] - y[0]) / rows as f64);
-    let mut expected = vec![0.0; columns * rows];
-    for (cell, sum) in expected.iter_mut().enumerate() {
-        for step in 0..STEPS * STEPS {
-            let at = |low: f64, cell: usize, step: usize, size: f64| {
-                low + size * (cell as f64 + (step as f64 + 0.5) / STEPS as f64)
-            };
-            let p = at(x[0], cell % columns, step % STEPS, width);
-            let q = at(y[0], cell / columns, step / STEPS, height);
-            *sum += z / libm::pow(p * p + q * q + z * z, 1.5);
-        }
-    }
-    let total: f64 = expected.iter().sum();
-    expected
-        .iter_mut()
-        .for_each(|e| *e *= f64::from(SAMPLES) / total);
-    let mut counts = vec![0; columns * rows];
-    for i in 0..SAMPLES {
-        let [p, q] = draw(Stream::new(3, i, 0).at(0, Purpose::LightPoint).two());
-        assert!(x[0] <= p && p <= x[1] && y[0] <= q && q <= y[1], "{p} {q}");
-        let index = |at: f64, count: usize| (at as usize).min(count - 1);
-        let column = index((p - x[0]) / width, columns);
-        counts[index((q - y[0]) / height, rows) * columns + column] += 1;
-    }
-    chi_square(&counts, &expected).p
-}
-
 #[test]
 fn points_follow_the_solid_angle() {
     for (name, x, y, z) in [
@@ -127,17 +89,14 @@ fn points_follow_the_solid_angle() {
         ("far", [700.0, 701.0], [300.0, 302.0], 100.0),
     ] {
         let seen = SphericalRectangle::new(x, y, z);
-        for counts in [[8, 4], [40, 20]] {
-            let p = cells(x, y, z, counts, |u| seen.sample(u));
-            println!("{name}: p {p:.4}");
-            assert!(p > 1e-4, "{name}: {p:e}");
+        let domain = Rectangle([x, y]);
+        let density = |[p, q]: [f64; 2]| seen.pdf() * z / libm::pow(p * p + q * q + z * z, 1.5);
+        follows(name, &domain, |u| seen.sample(u), density);
+        // Uniform in area; from far away there is no difference.
+        if name != "far" {
+            let by_area = |u: [f32; 2]| domain.point(u.map(f64::from));
+            deviates(name, "chi2", &domain, by_area, density);
         }
-        // The twin that is uniform in area; from far away there is no difference.
-        let p = cells(x, y, z, [8, 4], |[u, v]| {
-            let mix = |[low, high]: [f64; 2], u: f32| low + (high - low) * f64::from(u);
-            [mix(x, u), mix(y, v)]
-        });
-        assert!(p < 1e-9 || name == "far", "{name}: {p:e}");
     }
 }
 

@@ -1,6 +1,7 @@
 //! Round lamps of any size, from any distance, and lamps that are none.
 
-use super::{CRITICAL, GROUND, irradiance, scene};
+use super::{GROUND, irradiance, scene};
+use crate::checks::CRITICAL;
 use glam::{DVec3, Vec3};
 use halfdisk::color::Rgb;
 use halfdisk::geometry::{Sphere, Surface};

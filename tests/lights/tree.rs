@@ -1,6 +1,7 @@
 //! Choosing among many lights by the point that is lit.
 
-use super::{CRITICAL, scene};
+use super::scene;
+use crate::checks::CRITICAL;
 use glam::Vec3;
 use halfdisk::color::Rgb;
 use halfdisk::geometry::{Sphere, Triangle};

@@ -1,6 +1,8 @@
 //! Triangles and meshes as lamps.
 
-use super::{CRITICAL, GROUND, irradiance, polygon, scene};
+use super::{GROUND, irradiance, polygon, scene};
+use crate::checks::{CRITICAL, alike, of as of_estimate};
+use crate::pairs::{Weights, deviates, follows};
 use glam::{DVec3, Vec3};
 use halfdisk::color::Rgb;
 use halfdisk::geometry::{Surface, Triangle};
@@ -11,7 +13,6 @@ use halfdisk::sampling::stream::{Purpose, Stream};
 use halfdisk::sampling::warps;
 use halfdisk::scene::Tracer;
 use halfdisk::stats::Estimate;
-use halfdisk::stats::chi_square::chi_square;
 use std::f64::consts::FRAC_PI_2;
 
 const UP: Surface = Surface {
@@ -70,60 +71,15 @@ fn lamberts_formula() {
     }
 }
 
-/// Which of `n²` equal parts of a triangle a point lies in.
-fn part(n: usize, b: f64, c: f64) -> usize {
-    let index = |x: f64| ((x * n as f64) as usize).min(n - 1);
-    let (i, j) = (index(b), index(c));
-    let upper = (b + c) * n as f64 - (i + j) as f64 > 1.0;
-    2 * (i * n + j) + usize::from(upper)
-}
-
-/// Points drawn as weights of the second and third corner, against a density per area.
-fn parts(n: usize, density: impl Fn(f64, f64) -> f64, draw: impl Fn([f32; 2]) -> [f64; 2]) -> f64 {
-    const SAMPLES: u32 = 400_000;
-    const STEPS: usize = 1024;
-    let mut expected = vec![0.0; 2 * n * n];
-    for i in 0..STEPS {
-        for j in 0..STEPS - i {
-            // The middles of the lower and of the upper half of each step.
-            for third in [1.0 / 3.0, 2.0 / 3.0] {
-                let [b, c] = [i, j].map(|k| (k as f64 + third) / STEPS as f64);
-                if b + c < 1.0 {
-                    expected[part(n, b, c)] += density(b, c);
-                }
-            }
-        }
-    }
-    let total: f64 = expected.iter().sum();
-    expected
-        .iter_mut()
-        .for_each(|e| *e *= f64::from(SAMPLES) / total);
-    let mut counts = vec![0; 2 * n * n];
-    for i in 0..SAMPLES {
-        let [b, c] = draw(Stream::new(4, i, 0).at(0, Purpose::LightPoint).two());
-        assert!(b > -1e-6 && c > -1e-6 && b + c < 1.0 + 1e-6, "{b} {c}");
-        // At the long side rounding may lead out.
-        let slack = (b + c).max(1.0) * (1.0 + 1e-9);
-        counts[part(n, b.max(0.0) / slack, c.max(0.0) / slack)] += 1;
-    }
-    chi_square(&counts, &expected).p
-}
-
 #[test]
 fn points_of_a_triangle_are_uniform_in_area() {
-    for n in [4, 16] {
-        let p = parts(n, |_, _| 1.0, |u| warps::sample_triangle(u).map(f64::from));
-        println!("{n}: p {p:.4}");
-        assert!(p > 1e-4, "{p:e}");
-        // The mistake without the root.
-        let p = parts(
-            n,
-            |_, _| 1.0,
-            |[u, v]| [u * (1.0 - v), u * v].map(f64::from),
-        );
-        assert!(p < 1e-9, "{p:e}");
-    }
-    assert!((warps::pdf_triangle(0.25) * 0.25 - 1.0).abs() < 1e-12);
+    let (area, pdf) = (0.25, warps::pdf_triangle(0.25));
+    // The weights of two corners span twice the area of a triangle of them.
+    let per_weights = |_| pdf * 2.0 * area;
+    let sample = |u| warps::sample_triangle(u).map(f64::from);
+    follows("points of a triangle", &Weights, sample, per_weights);
+    let rootless = |[u, v]: [f32; 2]| [u * (1.0 - v), u * v].map(f64::from);
+    deviates("without the root", "chi2", &Weights, rootless, per_weights);
 }
 
 #[test]
@@ -146,26 +102,23 @@ fn directions_of_a_triangle_are_uniform_in_solid_angle() {
         let seen = SphericalTriangle::new(corners).unwrap();
         let [a, b, c] = corners;
         let volume = a.dot(b.cross(c));
-        let density = |u: f64, v: f64| {
+        // Solid angle per weights of the second and third corner.
+        let density = |[u, v]: [f64; 2]| {
             let p = a + u * (b - a) + v * (c - a);
-            1.0 / libm::pow(p.length_squared(), 1.5)
+            seen.pdf() * volume.abs() / libm::pow(p.length_squared(), 1.5)
         };
-        for n in [4, 16] {
-            let p = parts(n, density, |u| {
-                let w = seen.sample(u);
-                let all =
-                    [w.dot(b.cross(c)), w.dot(c.cross(a)), w.dot(a.cross(b))].map(|x| x / volume);
-                let sum: f64 = all.iter().sum();
-                [all[1] / sum, all[2] / sum]
-            });
-            println!("{name}: p {p:.4}");
-            assert!(p > 1e-4, "{name}: {p:e}");
+        let sample = |u| {
+            let w = seen.sample(u);
+            let all = [w.dot(b.cross(c)), w.dot(c.cross(a)), w.dot(a.cross(b))].map(|x| x / volume);
+            let sum: f64 = all.iter().sum();
+            [all[1] / sum, all[2] / sum]
+        };
+        follows(name, &Weights, sample, density);
+        // Of what is far away the density is nearly that of its points.
+        if name != "small" {
+            let by_area = |u| warps::sample_triangle(u).map(f64::from);
+            deviates(name, "chi2", &Weights, by_area, density);
         }
-        let p = parts(4, density, |u| warps::sample_triangle(u).map(f64::from));
-        assert!(
-            p < 1e-9 || name == "small",
-            "{name}: uniform in area, {p:e}"
-        );
     }
     // An octant is an eighth of the sphere, and in either order.
     let octant = SphericalTriangle::new([DVec3::X, DVec3::Z, DVec3::Y]).unwrap();
@@ -255,8 +208,11 @@ fn triangles_and_meshes_shine_in_scenes() {
         };
         let walk = of(&Kajiya { max_depth }, 1);
         let asking = of(&NextEvent { max_depth }, 2);
-        let z = (walk.mean() - asking.mean()) / walk.std_error().hypot(asking.std_error());
-        println!("{} and {}, z {z:+.2}", walk.mean(), asking.mean());
-        assert!(z.abs() <= CRITICAL);
+        alike(
+            "a walk and asking",
+            of_estimate(&walk),
+            of_estimate(&asking),
+            0.05,
+        );
     }
 }

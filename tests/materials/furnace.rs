@@ -1,6 +1,8 @@
 //! White light from everywhere: how much comes back.
 
-use super::{CRITICAL, direction, glossy, integrals, numbers, rough_glass};
+use super::{direction, glossy, numbers, rough_glass};
+use crate::checks::CRITICAL;
+use crate::pairs::{BothSides, integrals};
 use glam::DVec3;
 use halfdisk::materials::Bsdf;
 use halfdisk::materials::ggx::Ggx;
@@ -50,7 +52,7 @@ fn by_quadrature(alpha: f64, cos: f32, masking: Masking) -> f64 {
         };
         d * g / (4.0 * wo.z)
     };
-    integrals(f_cos).iter().sum()
+    integrals(&BothSides, f_cos).iter().sum()
 }
 
 #[test]
@@ -106,7 +108,7 @@ fn rough_glass_loses_only_what_its_facets_hide() {
                 let glass = rough_glass(1.5, alpha);
                 let wo = direction(cos);
                 let back = |wi: glam::Vec3| f64::from(glass.f(wo, wi).r) * f64::from(wi.z.abs());
-                let truth = integrals(back).iter().sum::<f64>();
+                let truth = integrals(&BothSides, back).iter().sum::<f64>();
                 let read = furnace(&glass, cos);
                 let test = z_test(&read, truth, CRITICAL);
                 println!(
@@ -132,7 +134,7 @@ fn facets_cover_the_surface_once() {
     for alpha in [0.1, 0.3, 1.0] {
         let ggx = Ggx { alpha };
         let all = |h: glam::Vec3| ggx.d(h.as_dvec3()) * f64::from(h.z.max(0.0));
-        let total = integrals(all).iter().sum::<f64>();
+        let total = integrals(&BothSides, all).iter().sum::<f64>();
         assert!((total - 1.0).abs() < 1e-4, "{alpha}: {total}");
         for cos in [1.0, 0.5, 0.1] {
             let w = direction(cos).as_dvec3();
@@ -140,7 +142,7 @@ fn facets_cover_the_surface_once() {
                 let above = f64::from(u8::from(h.z > 0.0));
                 above * ggx.pdf_visible(w, h.as_dvec3())
             };
-            let total = integrals(seen).iter().sum::<f64>();
+            let total = integrals(&BothSides, seen).iter().sum::<f64>();
             assert!((total - 1.0).abs() < 1e-3, "{alpha} {cos}: {total}");
         }
     }

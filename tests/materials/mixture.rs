@@ -1,6 +1,7 @@
 //! The choice between diffuse, specular and transmitted light.
 
-use super::{CRITICAL, direction, numbers};
+use super::{direction, numbers};
+use crate::checks::CRITICAL;
 use halfdisk::color::Rgb;
 use halfdisk::materials::{Bsdf, BsdfSample, Choice, Event, Mixture};
 use halfdisk::stats::Estimate;

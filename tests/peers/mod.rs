@@ -5,6 +5,7 @@
 //! 8192 samples for each of 256 x 256 pixels, of which 4 x 4 make one here. Their errors come from
 //! two halves of other seeds.
 
+use crate::checks::CRITICAL;
 use halfdisk::integrators::{Integrator, Path};
 use halfdisk::output;
 use halfdisk::render::{Options, Picture, compare, render};
@@ -16,9 +17,6 @@ use halfdisk::scene::{Scene, gallery};
 use std::path::Path as FilePath;
 
 const SIDE: u32 = 64;
-/// One right number in 92 000 lies beyond so many standard errors.
-const CRITICAL: f64 = 4.4;
-
 fn reference(name: &str) -> Picture {
     let folder = FilePath::new(env!("CARGO_MANIFEST_DIR")).join("tests/peers");
     output::read(&folder.join(name).with_extension("exr")).unwrap()
