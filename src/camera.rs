@@ -35,6 +35,18 @@ pub struct Lens {
     pub focus: f32,
 }
 
+/// How light enters the eye.
+#[derive(Clone, Copy, Debug)]
+pub struct Connection {
+    /// Where it enters, in coordinates of the scene.
+    pub point: Vec3,
+    /// The film position `(s, t)` in `[0, 1)²` on which it falls.
+    pub film: [f32; 2],
+    /// The mean radiance over the whole film, in W/(m² sr), of one W/sr that goes to the point from the unit
+    /// distance; it falls with the square of the distance.
+    pub importance: f32,
+}
+
 impl Camera {
     /// A camera at `origin` that looks along `forward`.
     ///
@@ -106,6 +118,28 @@ impl Camera {
         // that a lens focused at infinity sends parallel rays.
         let toward = self.toward(s, t) - aside / lens.focus;
         Ray::new(self.origin + aside, toward.normalize())
+    }
+
+    /// A point of the pupil for light from the point `p`, and the place of the film that it falls on;
+    /// `None` outside the picture.
+    ///
+    /// * `u` in `[0, 1)²`: a uniform point of the lens; a pinhole does not look at it.
+    pub fn connect(&self, p: Vec3, u: [f32; 2]) -> Option<Connection> {
+        let aside = match self.lens {
+            Some(lens) => self.across(warps::sample_disk_concentric(u) * lens.radius),
+            None => Vec3::ZERO,
+        };
+        let point = self.origin + aside;
+        let direction = (p.as_dvec3() - point.as_dvec3()).try_normalize()?.as_vec3();
+        let cos = direction.dot(self.forward);
+        let focus = self.lens.map_or(f32::INFINITY, |lens| lens.focus);
+        let film = self.film_position(direction / cos + aside / focus)?;
+        (cos > 0.0).then(|| Connection {
+            point,
+            film,
+            // Of each watt per square metre that the pupil faces, dω = cos³ θ dA of the film at distance 1.
+            importance: 1.0 / (self.film_area() * cos.powi(3)),
+        })
     }
 
     /// The unit direction of view.

@@ -23,6 +23,7 @@ mod hit_or_miss;
 mod interruption;
 mod ladder;
 mod library;
+mod light_tracer;
 mod lights;
 mod materials;
 mod mistakes;

@@ -10,7 +10,8 @@
 //! | [`Distributed`] | the same | `next_event`; every integral can be left out |
 //! | [`WhichRay`] | the same | shadow rays, and one ray whose kind is chosen |
 //! | [`Combine`] | the same | both, weighted |
-//! | [`Path`] | the same | all of it: the one to use |
+//! | [`LightTracer`] | `L((D\|S\|G)*(D\|G))?E` | walks from the lights, connected to the eye |
+//! | [`Path`] | the same as `combine` | all of it: the one to use |
 //!
 //! The walks are written against [`world::World`] and run in flatland, too. No integrator is
 //! a flag of another one. They share the floors below, never each other's lines.
@@ -20,6 +21,7 @@ mod combine;
 mod distributed;
 mod entry;
 mod kajiya;
+mod light_tracer;
 mod next_event;
 mod observer;
 mod path;
@@ -35,6 +37,7 @@ pub use combine::{Combine, Shares};
 pub use distributed::{Distributed, Integral};
 pub use entry::{Entry, Finds, Found, Shows};
 pub use kajiya::Kajiya;
+pub use light_tracer::LightTracer;
 pub use next_event::NextEvent;
 pub use observer::{AllLight, FilteredPath, PathFilter, PathObserver};
 pub use path::Path;
@@ -51,13 +54,14 @@ use crate::scene::Tracer;
 use crate::space::Solid;
 
 /// The integrators of light that one can ask for by name, in the order of the ladder.
-pub const LADDER: [Entry; 7] = [
+pub const LADDER: [Entry; 8] = [
     Whitted::ENTRY,
     Kajiya::ENTRY,
     WhichRay::ENTRY,
     Roulette::ENTRY,
     NextEvent::ENTRY,
     Combine::ENTRY,
+    LightTracer::ENTRY,
     Path::ENTRY,
 ];
 
@@ -77,11 +81,32 @@ pub trait Integrator: Sync {
     /// A pure function of its arguments: all randomness comes from `stream`, all rays go through
     /// `tracer`.
     fn li(&self, tracer: &mut Tracer, ray: &Ray, stream: &Stream) -> Rgb;
+
+    /// Paths that start at the lights, whose light is added to that of [`Integrator::li`]; `None` where
+    /// there are none.
+    fn light_paths(&self) -> Option<&dyn LightPaths> {
+        None
+    }
+}
+
+/// Paths that start at the lights: each brings its light to pixels of its own.
+pub trait LightPaths: Sync {
+    /// Traces one path, and calls `splat` with each place `(s, t)` in `[0, 1)²` of the film, `s` to the
+    /// right and `t` downwards, that it brings light to.
+    ///
+    /// The light is that of a path among as many as there are pixels: its mean, summed over the splats
+    /// in a pixel and over so many paths, is the radiance of the pixel in W/(m² sr). A pure function of
+    /// its arguments, as [`Integrator::li`].
+    fn trace(&self, tracer: &mut Tracer, stream: &Stream, splat: &mut dyn FnMut([f32; 2], Rgb));
 }
 
 impl<I: Integrator + ?Sized> Integrator for Box<I> {
     fn li(&self, tracer: &mut Tracer, ray: &Ray, stream: &Stream) -> Rgb {
         (**self).li(tracer, ray, stream)
+    }
+
+    fn light_paths(&self) -> Option<&dyn LightPaths> {
+        (**self).light_paths()
     }
 }
 

@@ -79,6 +79,17 @@ impl EnvironmentLight {
     ///   pixel uniformly in solid angle: the cosine of the polar angle is uniform.
     /// * Density: [`EnvironmentLight::pdf`].
     pub fn sample(&self, from: &Surface, pick: f64, u: [f32; 2]) -> Option<LightSample> {
+        let (wi, pdf) = self.sample_direction(pick, u)?;
+        let li = self.radiance(wi);
+        Some(LightSample::from_afar(
+            from,
+            wi,
+            Incident::Radiance { li, pdf },
+        ))
+    }
+
+    /// The direction of [`EnvironmentLight::sample`], with its density in 1/sr.
+    pub(super) fn sample_direction(&self, pick: f64, u: [f32; 2]) -> Option<(Vec3, f32)> {
         let below = [pick, (pick * FINER).fract()];
         let row = self.rows.sample(refined(u[0], below[0]));
         let columns = self.columns[row.index].as_ref()?;
@@ -90,10 +101,7 @@ impl EnvironmentLight {
         let (sin_phi, cos_phi) = libm::sincos(TAU * (across - 0.5) - self.turn);
         let wi = DVec3::new(sin * sin_phi, cos, -sin * cos_phi).as_vec3();
         let pdf = self.pdf(wi);
-        (pdf > 0.0).then(|| {
-            let li = self.radiance(wi);
-            LightSample::from_afar(from, wi, Incident::Radiance { li, pdf })
-        })
+        (pdf > 0.0).then_some((wi, pdf))
     }
 
     /// Density of [`EnvironmentLight::sample`] in the unit direction `w`, in 1/sr: the probability of

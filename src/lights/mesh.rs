@@ -68,9 +68,7 @@ impl MeshLight {
         pick: f64,
         u: [f32; 2],
     ) -> Option<LightSample> {
-        let chosen = self.by_area.sample(refined(u[0], pick));
-        let part = chosen.index;
-        let [b, c] = warps::sample_triangle([as_uniform(chosen.rest as f32), u[1]]);
+        let (part, [b, c]) = self.sample_point(pick, u);
         let target = at(&self.triangles[part].moved(by), b, c);
         let target = shining(target, self.two_sided, from);
         let sample = by_area(&target, self.area(), self.radiance, from)?;
@@ -78,6 +76,14 @@ impl MeshLight {
             part: part as u32,
             ..sample.at([b, c])
         })
+    }
+
+    /// Draws a point uniformly in area: the number of a triangle, and the weights of its second and third
+    /// corner.
+    pub(super) fn sample_point(&self, pick: f64, u: [f32; 2]) -> (usize, [f32; 2]) {
+        let chosen = self.by_area.sample(refined(u[0], pick));
+        let weights = warps::sample_triangle([as_uniform(chosen.rest as f32), u[1]]);
+        (chosen.index, weights)
     }
 
     /// Density of [`MeshLight::sample`] in 1/sr, of the point `at` in the direction `wi`.

@@ -1,11 +1,13 @@
 //! Passes over tiles over threads.
 
 use super::clock::Clock;
+use super::light_image::light_image;
 use super::progress::Progress;
 use super::recorder::{Recorded, Recorder};
 use super::tile::{Tile, tiles};
 use super::watch::{Faults, Watch};
 use super::{BadSample, Film, Pixel};
+use crate::color::Rgb;
 use crate::integrators::Integrator;
 use crate::sampling::stream::{EVEN_SAMPLES, Purpose, Sampler, even_run};
 use crate::scene::{RayCounts, Scene};
@@ -132,6 +134,8 @@ pub struct Session<'a, R: Recorder + ?Sized = dyn Integrator + 'a> {
     recorder: &'a R,
     options: Options,
     tiles: Vec<Tile<R::Notes>>,
+    /// Those of paths from the lights.
+    light_rays: RayCounts,
     spp: u32,
     time: Duration,
     interrupted: bool,
@@ -145,6 +149,7 @@ impl<'a, R: Recorder + ?Sized> Session<'a, R> {
             recorder,
             options: *options,
             tiles: tiles(scene.size, options.tile.max(1), recorder.pictures()),
+            light_rays: RayCounts::default(),
             spp: 0,
             time: Duration::ZERO,
             interrupted: false,
@@ -166,15 +171,20 @@ impl<'a, R: Recorder + ?Sized> Session<'a, R> {
         let stop = || interrupted.load(Ordering::Relaxed) || progress.stop();
 
         for pass in passes(self.spp, spp) {
-            self.tiles.par_iter_mut().for_each(|tile| {
-                if !tile.sample(scene, recorder, options, pass.clone(), &stop) {
-                    interrupted.store(true, Ordering::Relaxed);
-                    return;
-                }
-                let samples = tile.pixels.len() as u64 * u64::from(pass.end - pass.start);
+            let tell = |samples: u64| {
                 let before = done.fetch_add(samples, Ordering::Relaxed);
                 progress.tell(before + samples, total);
-            });
+            };
+            let shots = Shots {
+                scene,
+                recorder,
+                options,
+                stop: &stop,
+                tell: &tell,
+            };
+            if !shots.take(pass, &mut self.tiles, &mut self.light_rays) {
+                interrupted.store(true, Ordering::Relaxed);
+            }
         }
         self.spp = self.spp.max(spp);
         self.time += start.elapsed().unwrap_or_default();
@@ -218,17 +228,20 @@ impl<'a, R: Recorder + ?Sized> Session<'a, R> {
             let Some(pass) = passes(self.spp, most).next() else {
                 break;
             };
-            let one = |tile: &Tile<R::Notes>| {
-                let mut tile = tile.clone();
-                let whole = tile.sample(scene, recorder, options, pass.clone(), &stop);
-                (tile, whole)
+            let (mut tiles, mut light_rays) = (self.tiles.clone(), self.light_rays);
+            let shots = Shots {
+                scene,
+                recorder,
+                options,
+                stop: &stop,
+                tell: &|_| (),
             };
-            let next: Vec<(Tile<R::Notes>, bool)> = self.tiles.par_iter().map(one).collect();
+            let whole = shots.take(pass.clone(), &mut tiles, &mut light_rays);
             late = clock.late();
             if !late {
                 // Who stops a render keeps what there is.
-                self.interrupted = !next.iter().all(|&(_, whole)| whole);
-                self.tiles = next.into_iter().map(|(tile, _)| tile).collect();
+                self.interrupted = !whole;
+                (self.tiles, self.light_rays) = (tiles, light_rays);
                 self.spp = pass.end;
             }
             clock.tell();
@@ -258,7 +271,7 @@ impl<'a, R: Recorder + ?Sized> Session<'a, R> {
     }
 
     fn rays(&self) -> RayCounts {
-        let mut rays = RayCounts::default();
+        let mut rays = self.light_rays;
         self.tiles.iter().for_each(|tile| rays += tile.rays);
         rays
     }
@@ -302,6 +315,64 @@ impl<'a, R: Recorder + ?Sized> Session<'a, R> {
             interrupted: self.interrupted,
             lights_met: self.tiles.iter().fold(0, |met, tile| met | tile.lights_met),
         }
+    }
+}
+
+/// What all samples of a picture have in common.
+struct Shots<'a, R: Recorder + ?Sized> {
+    scene: &'a Scene,
+    recorder: &'a R,
+    options: &'a Options,
+    stop: &'a (dyn Fn() -> bool + Sync),
+    /// Hears of samples that were taken, and of how many.
+    tell: &'a (dyn Fn(u64) + Sync),
+}
+
+impl<R: Recorder + ?Sized> Shots<'_, R> {
+    /// Takes the samples of a pass over the picture; false where it was stopped before the last.
+    fn take(
+        &self,
+        pass: Range<u32>,
+        tiles: &mut [Tile<R::Notes>],
+        light_rays: &mut RayCounts,
+    ) -> bool {
+        let Some(paths) = self.recorder.light_paths() else {
+            return self.of_tiles(pass, None, tiles);
+        };
+        // The light of a sample falls on all pixels at once, so all tiles take it together.
+        pass.into_iter().all(|sample| {
+            let image = light_image(self.scene, paths, self.options, sample, self.stop);
+            image.is_some_and(|(image, rays)| {
+                *light_rays += rays;
+                self.of_tiles(sample..sample + 1, Some(&image), tiles)
+            })
+        })
+    }
+
+    fn of_tiles(
+        &self,
+        pass: Range<u32>,
+        light: Option<&[Rgb]>,
+        tiles: &mut [Tile<R::Notes>],
+    ) -> bool {
+        let whole = AtomicBool::new(true);
+        let stop = || !whole.load(Ordering::Relaxed) || (self.stop)();
+        tiles.par_iter_mut().for_each(|tile| {
+            let samples = tile.pixels.len() as u64 * u64::from(pass.end - pass.start);
+            if tile.sample(
+                self.scene,
+                self.recorder,
+                self.options,
+                pass.clone(),
+                light,
+                &stop,
+            ) {
+                (self.tell)(samples);
+            } else {
+                whole.store(false, Ordering::Relaxed);
+            }
+        });
+        whole.into_inner()
     }
 }
 

@@ -3,7 +3,7 @@
 use super::{Film, Rendered};
 use crate::color::Rgb;
 use crate::geometry::Ray;
-use crate::integrators::Integrator;
+use crate::integrators::{Integrator, LightPaths};
 use crate::sampling::stream::Stream;
 use crate::scene::Tracer;
 
@@ -17,6 +17,11 @@ pub trait Recorder: Sync {
     /// How many further pictures there are.
     fn pictures(&self) -> usize {
         0
+    }
+
+    /// Paths from the lights, whose light is in the picture, too, and in none of the further ones.
+    fn light_paths(&self) -> Option<&dyn LightPaths> {
+        None
     }
 
     /// One sample of the radiance that arrives along `ray`, in W/(m² sr). Its parts in the further pictures
@@ -33,6 +38,10 @@ pub trait Recorder: Sync {
 
 impl<I: Integrator + ?Sized> Recorder for I {
     type Notes = ();
+
+    fn light_paths(&self) -> Option<&dyn LightPaths> {
+        Integrator::light_paths(self)
+    }
 
     fn record(
         &self,

@@ -52,7 +52,8 @@ pub(super) fn tiles<Notes: Default>(
 }
 
 impl<Notes> Tile<Notes> {
-    /// Takes the samples of a pass; false where it was stopped before its last pixel. It asks before each
+    /// Takes the samples of a pass, with the light of paths from the lights that each pixel of the whole
+    /// picture has in them; false where it was stopped before its last pixel. It asks before each
     /// sample: a pass over a tile may have thousands, and a sample take a millisecond.
     pub(super) fn sample<R: Recorder<Notes = Notes> + ?Sized>(
         &mut self,
@@ -60,6 +61,7 @@ impl<Notes> Tile<Notes> {
         recorder: &R,
         options: &Options,
         pass: Range<u32>,
+        light: Option<&[Rgb]>,
         stop: &(dyn Fn() -> bool + Sync),
     ) -> bool {
         let mut tracer = Tracer::new(scene);
@@ -80,7 +82,10 @@ impl<Notes> Tile<Notes> {
                     }
                     let (ray, stream) = camera_sample(scene, options, [x, y], sample);
                     let notes = &mut self.notes;
-                    let li = recorder.record(&mut tracer, &ray, &stream, &mut parts, notes);
+                    let mut li = recorder.record(&mut tracer, &ray, &stream, &mut parts, notes);
+                    if let Some(light) = light {
+                        li += light[y as usize * scene.size[0] as usize + x as usize];
+                    }
                     if self.watch.admits(li, BadSample { x, y, sample }) {
                         pixel.add(li);
                         own.iter_mut().zip(&parts).for_each(|(p, li)| p.add(*li));

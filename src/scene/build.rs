@@ -18,8 +18,8 @@ use super::{
     Suggested, lamps, procedural, spacing,
 };
 use crate::camera::{Camera, Lens};
-use crate::geometry::{Bvh, Quad, Shape, Sphere};
-use crate::lights::{Light, LightChoice, SkyLight};
+use crate::geometry::{Aabb, Bvh, Quad, Shape, Sphere};
+use crate::lights::{EmissionChoice, Light, LightChoice, SkyLight};
 use glam::{DMat3, DVec3, Vec2, Vec3};
 use std::path::Path;
 use std::sync::Arc;
@@ -119,6 +119,9 @@ pub(super) fn assemble(from: &Arc<MadeFrom>) -> Checked<Scene> {
         unused_materials: unused,
         ..parts.inventory
     };
+    let bvh = Bvh::new(&shapes);
+    let bounds = transformed.as_ref().map_or(Aabb::EMPTY, |t| t.bvh.bounds());
+    let emission_choice = EmissionChoice::new(&parts.lights, bvh.bounds().union(bounds));
     Ok(Scene {
         made_from: Arc::clone(from),
         name: said.name.clone(),
@@ -129,6 +132,7 @@ pub(super) fn assemble(from: &Arc<MadeFrom>) -> Checked<Scene> {
         environment_light,
         sky_light,
         light_choice,
+        emission_choice,
         lights: parts.lights,
         casters,
         suggested,
@@ -152,7 +156,7 @@ pub(super) fn assemble(from: &Arc<MadeFrom>) -> Checked<Scene> {
         inventory,
         objects: parts.objects,
         object_of_shape,
-        bvh: Bvh::new(&shapes),
+        bvh,
         transformed,
         contacts,
     })

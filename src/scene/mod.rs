@@ -45,7 +45,7 @@ pub use tracer::{RayCounts, Tracer};
 use crate::camera::Camera;
 use crate::color::Rgb;
 use crate::geometry::Bvh;
-use crate::lights::{Light, LightChoice};
+use crate::lights::{EmissionChoice, Light, LightChoice};
 use crate::materials::{Color, Material};
 use contacts::Contacts;
 use description::Description;
@@ -78,6 +78,8 @@ pub struct Scene {
     pub casters: CausticGuide,
     /// Chooses one of [`Scene::lights`] by what it may give at a point.
     pub light_choice: LightChoice,
+    /// Chooses one of [`Scene::lights`] for a path to start from.
+    pub emission_choice: EmissionChoice,
     /// The index in [`Scene::lights`] of the image around the scene. Where there is one, a ray that
     /// leaves the scene after the lights were asked brings nothing new.
     pub environment_light: Option<usize>,

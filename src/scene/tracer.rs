@@ -4,7 +4,8 @@ use super::interaction::{Hit, Interaction};
 use super::motion::TransformedShapes;
 use super::{Object, Scene};
 use crate::geometry::{ClosestHit, Ray, Surface};
-use crate::lights::{Incident, LightSample};
+use crate::lights::{EmissionSample, EmissionUniforms, Incident, LightSample};
+use crate::sampling::stream::{Purpose, Stream};
 use glam::Vec3;
 use std::ops::AddAssign;
 
@@ -136,6 +137,42 @@ impl<'a> Tracer<'a> {
             Some(by) => light.pdf_moved(by, from, wi, at),
             None => light.pdf(from, wi, at),
         }
+    }
+
+    /// Draws a light by its power, and a ray along which it emits at a random moment. Its power stands for
+    /// that of all lights; `None` where there is none.
+    pub fn sample_emission(&self, stream: &Stream) -> Option<EmissionSample> {
+        let scene = self.scene;
+        let time = match scene.moves() {
+            true => stream.at(0, Purpose::Time).one(),
+            false => 0.0,
+        };
+        let mut numbers = stream.at(0, Purpose::Emission);
+        let (place, direction) = (numbers.two(), numbers.two());
+        let choice = &scene.emission_choice;
+        let (index, probability, pick) = choice.choose(stream.at(0, Purpose::Branch).fine())?;
+        let by = self.light_moved(index, time).unwrap_or(Vec3::ZERO);
+        let uniforms = EmissionUniforms {
+            pick,
+            place,
+            direction,
+        };
+        let sample = scene.lights[index].sample_emission(choice.around(), by, uniforms)?;
+        let emitted = match scene.textured_lights.get(&(index as u32)) {
+            None => sample.emitted,
+            Some(&object) => {
+                let Object {
+                    emission, mapping, ..
+                } = &scene.objects[object as usize];
+                emission.at(|| mapping.at(sample.part, sample.place, sample.n))
+            }
+        };
+        Some(EmissionSample {
+            ray: sample.ray.at_time(time),
+            emitted,
+            over_density: sample.over_density / probability,
+            ..sample
+        })
     }
 
     /// How far a light has come at `time` since the shutter opened; `None` for one that stands still.

@@ -2,6 +2,7 @@
 
 mod choice;
 mod densities;
+mod emission;
 mod environment;
 mod rectangle;
 mod skies;

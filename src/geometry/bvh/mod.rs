@@ -4,7 +4,7 @@ mod build;
 mod node;
 mod packet;
 
-use super::{Intersection, PreparedRay, Primitive, Ray, Shape};
+use super::{Aabb, Intersection, PreparedRay, Primitive, Ray, Shape};
 use arrayvec::ArrayVec;
 use build::{MAX_DEPTH, build};
 use node::{Child, Link, Node, RayLanes, WIDTH};
@@ -77,6 +77,12 @@ impl<P: Primitive> Bvh<P> {
             shapes: ids.iter().map(|id| shapes[*id as usize].clone()).collect(),
             ids,
         }
+    }
+
+    /// The box of all shapes, wherever they are while the shutter is open.
+    pub fn bounds(&self) -> Aabb {
+        let boxes = self.shapes.iter().map(Primitive::bounds);
+        boxes.fold(Aabb::EMPTY, Aabb::union)
     }
 
     /// The first crossing of the ray, at its moment; of several shapes at the same distance the one
