@@ -2,7 +2,7 @@
 
 use crate::figures::short;
 use crate::share_of;
-use halfdisk::integrators::{Entry, LADDER, Path};
+use halfdisk::integrators::{Entry, Path, WALKS};
 use halfdisk::lab::chapter::{Desk, DeskError, Number};
 use halfdisk::lab::effects::language::{Class, Finds, finds};
 use halfdisk::lab::effects::words::{Words, words};
@@ -82,7 +82,7 @@ fn room(
     let all: Estimate = spelt.iter().map(|words| words.total.mean()).collect();
     let mut rays: u64 = spelt.iter().map(|words| words.rays).sum();
     let mut compared = Largest::default();
-    for integrator in LADDER {
+    for integrator in WALKS {
         let found = |class: &Class| finds(&integrator, *class, &scene.inventory);
         for class in Class::ALL {
             answer(desk, lamp, integrator, class, found(&class));

@@ -138,12 +138,8 @@ fn picture(
         ..Options::default()
     };
     let max_depth = scene.suggested.max_depth;
-    let rendered = render(
-        scene,
-        &Distributed { max_depth },
-        &options,
-        &desk.bar("six"),
-    );
+    let integrator = Distributed { max_depth };
+    let rendered = render(scene, &integrator, &options, &desk.bar("six"));
     if rendered.interrupted {
         return Err(DeskError::Interrupted);
     }

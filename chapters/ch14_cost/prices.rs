@@ -3,8 +3,8 @@
 use halfdisk::lab::chapter::{Desk, DeskError, Number};
 use halfdisk::lab::experiment::cost::strip::{affordable, show};
 use halfdisk::lab::experiment::cost::{
-    ALL, BASE, Budget, Design, Measured, Nothing, PriceList, Priced, Reach, TARGETS, Verdict,
-    measure,
+    ALL, BASE, Budget, Design, FROM_THE_EYE, Measured, Nothing, PriceList, Priced, Reach, TARGETS,
+    Verdict, measure,
 };
 use halfdisk::lab::figures::{Against, cost_chart};
 use halfdisk::render::{Film, Pixel};
@@ -42,7 +42,7 @@ pub fn work(desk: &mut Desk) -> Result<Prices, DeskError> {
         threads: None,
         seed: desk.options.seed,
     };
-    let measured = measure(&scene, &ALL, &design, &desk.bar("prices"));
+    let measured = measure(&scene, &ALL[..FROM_THE_EYE], &design, &desk.bar("prices"));
     // ANCHOR_END: measure
     let measured = measured.map_err(|nothing| match nothing {
         Nothing::Stopped => DeskError::Interrupted,

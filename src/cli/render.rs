@@ -8,8 +8,8 @@ use super::report::Report;
 use super::stop::{Ended, Ending};
 use super::{Stop, note_slow_build, stem, use_threads};
 use crate::integrators::{
-    self, Entry, FilteredPath, Integrator, LADDER, Path as PathTracer, RarelyAsked, Shows, VIEWS,
-    rarely_asked,
+    self, Entry, FilteredPath, Integrator, OTHERS, Path as PathTracer, RarelyAsked, Shows, VIEWS,
+    WALKS, rarely_asked,
 };
 use crate::lab::chapter::{Bar, on_ctrl_c, tell, whole};
 use crate::lab::effects::measure::Setup;
@@ -99,7 +99,7 @@ enum Points {
 
 /// Reads the name of an integrator.
 fn by_name() -> impl TypedValueParser<Value = Entry> {
-    let all = LADDER.iter().rev().chain(&VIEWS);
+    let all = WALKS.iter().rev().chain(&OTHERS).chain(&VIEWS);
     let values = all.map(|entry| PossibleValue::new(entry.name).help(entry.help));
     PossibleValuesParser::new(values)
         .try_map(|name| integrators::find(&name).ok_or("there is no such integrator"))

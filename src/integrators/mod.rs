@@ -53,17 +53,34 @@ use crate::sampling::stream::Stream;
 use crate::scene::Tracer;
 use crate::space::Solid;
 
-/// The integrators of light that one can ask for by name, in the order of the ladder.
-pub const LADDER: [Entry; 8] = [
+/// Walks from the eye, in the order in which they are built up.
+pub const WALKS: [Entry; 7] = [
     Whitted::ENTRY,
     Kajiya::ENTRY,
     WhichRay::ENTRY,
     Roulette::ENTRY,
     NextEvent::ENTRY,
     Combine::ENTRY,
-    LightTracer::ENTRY,
     Path::ENTRY,
 ];
+
+/// Integrators of light that find it in other ways.
+pub const OTHERS: [Entry; 1] = [LightTracer::ENTRY];
+
+/// All integrators of light that one can ask for by name: [`WALKS`], then [`OTHERS`].
+pub const LADDER: [Entry; WALKS.len() + OTHERS.len()] = {
+    let mut all = [Path::ENTRY; WALKS.len() + OTHERS.len()];
+    let mut i = 0;
+    while i < all.len() {
+        all[i] = if i < WALKS.len() {
+            WALKS[i]
+        } else {
+            OTHERS[i - WALKS.len()]
+        };
+        i += 1;
+    }
+    all
+};
 
 /// Pictures of the geometry that one can ask for by name.
 pub const VIEWS: [Entry; 3] = [Normals::ENTRY, Albedo::ENTRY, Depth::ENTRY];

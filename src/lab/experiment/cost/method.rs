@@ -1,6 +1,6 @@
 //! The methods whose prices are compared: integrators, points, and a mistake.
 
-use crate::integrators::{Entry, LADDER, Path};
+use crate::integrators::{Entry, LADDER, Path, WALKS};
 use crate::lab::mistakes::Clamped;
 use crate::render::{Options, Progress, Rendered, render};
 use crate::sampling::stream::Sampler;
@@ -44,12 +44,12 @@ const fn plain(integrator: Entry) -> Method {
     }
 }
 
-/// All methods: the integrators in the order of the ladder, even points, and a mistake.
+/// All methods: walks from the eye, even points, a mistake, and other integrators.
 pub const ALL: [Method; LADDER.len() + 2] = {
     let mut all = [plain(Path::ENTRY); LADDER.len() + 2];
     let mut i = 0;
-    while i < LADDER.len() {
-        all[i] = plain(LADDER[i]);
+    while i < WALKS.len() {
+        all[i] = plain(WALKS[i]);
         i += 1;
     }
     all[i].name = "path-sobol";
@@ -59,8 +59,15 @@ pub const ALL: [Method; LADDER.len() + 2] = {
     all[i + 1].about = "a mistake: path, with bright samples cut off";
     all[i + 1].clamp = Some(CLAMP);
     all[i + 1].may_be_biased = Some("it cuts off what is brighter than 1 in each sample");
+    while i < LADDER.len() {
+        all[i + 2] = plain(LADDER[i]);
+        i += 1;
+    }
     all
 };
+
+/// How many of [`ALL`], the first ones, walk from the eye.
+pub const FROM_THE_EYE: usize = WALKS.len() + 2;
 
 impl Method {
     /// The method of this name.

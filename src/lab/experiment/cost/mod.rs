@@ -30,7 +30,7 @@ mod target;
 
 pub use bias::{Bias, Floor};
 pub use list::{PerSample, PriceList, Priced, TARGETS};
-pub use method::{ALL, BASE, CLAMP, Method};
+pub use method::{ALL, BASE, CLAMP, FROM_THE_EYE, Method};
 pub use plan::{Budget, Design};
 pub use reference::Reference;
 pub use runs::{Measured, Nothing, Run, Runs, measure};
