@@ -2,7 +2,7 @@
 
 use crate::savings::two_digits;
 use crate::{FINAL, load};
-use halfdisk::integrators::{self, Kajiya, LADDER, Path, Whitted};
+use halfdisk::integrators::{self, Kajiya, LADDER, Path, Settings, Whitted};
 use halfdisk::lab::chapter::{Desk, DeskError, Number};
 use halfdisk::lab::drawing::{Axis, Curve, CurveChart, HALF, Style};
 use halfdisk::lab::experiment::cost::Reference;
@@ -35,17 +35,19 @@ pub fn work(desk: &mut Desk) -> Result<Race, DeskError> {
     let scene = load(FINAL, desk.choose([32; 2], [12; 2]))?;
     let (truth, mut rays) = reference(desk, &scene)?;
     let sizes = desk.choose(4, 2);
-    let mut entries = vec![[Entry::default(); SIZES.len()]; LADDER.len()];
+    let runners = runners();
+    let mut entries = vec![[Entry::default(); SIZES.len()]; runners.len()];
     // In turns, so that what else the machine does is shared fairly.
     for replicate in 0..desk.choose(4, 3) {
         for (size, spp) in SIZES.into_iter().take(sizes).enumerate() {
-            for (place, integrator) in LADDER.into_iter().enumerate() {
+            for (place, &integrator) in runners.iter().enumerate() {
                 let options = Options {
                     spp,
                     seed: desk.options.seed + 1000 * (1 + place as u64) + replicate,
                     ..Options::default()
                 };
-                let by = integrator.with(scene.suggested.max_depth);
+                let settings = Settings::new(scene.suggested.max_depth);
+                let by = integrator.prepare(&scene, &settings)?;
                 let rendered = render(&scene, &by, &options, &desk.bar(integrator.name));
                 if rendered.interrupted {
                     return Err(DeskError::Interrupted);
@@ -60,10 +62,10 @@ pub fn work(desk: &mut Desk) -> Result<Race, DeskError> {
             }
         }
     }
-    let path = &entries[LADDER.len() - 1][sizes - 1];
+    let path = &entries[runners.len() - 1][sizes - 1];
     let paid = |entry: &Entry| entry.square.mean() * entry.rays.mean();
     let mut gain = 1.0;
-    for (integrator, sizes_of) in LADDER.into_iter().zip(&entries) {
+    for (integrator, sizes_of) in runners.into_iter().zip(&entries) {
         let key = integrator.name.replace('-', "_");
         let largest = &sizes_of[sizes - 1];
         let [error, its_error] = root(&largest.square);
@@ -104,6 +106,12 @@ pub fn work(desk: &mut Desk) -> Result<Race, DeskError> {
     Ok(Race { rays, gain })
 }
 
+/// The integrators that answer at once: of light solved beforehand chapter 15 tells.
+fn runners() -> Vec<integrators::Entry> {
+    let all = LADDER.into_iter();
+    all.filter(|entry| !entry.is_prepared()).collect()
+}
+
 fn chart(desk: &mut Desk, entries: &[[Entry; SIZES.len()]], sizes: usize) -> Result<(), DeskError> {
     let curves = |cost: fn(&Entry) -> f64| {
         let curve = |(integrator, entries): (integrators::Entry, &[Entry; SIZES.len()])| {
@@ -113,7 +121,7 @@ fn chart(desk: &mut Desk, entries: &[[Entry; SIZES.len()]], sizes: usize) -> Res
             });
             Curve::measured(integrator.name, Style::MarksAndLine, points)
         };
-        LADDER.into_iter().zip(entries).map(curve).collect()
+        runners().into_iter().zip(entries).map(curve).collect()
     };
     let chart = |x_label: &str, curves| CurveChart {
         title: "Every integrator in the final room".to_owned(),

@@ -14,6 +14,7 @@ mod effects;
 mod left_out;
 mod maps;
 mod page;
+mod patching;
 mod render;
 mod report;
 mod scenes;

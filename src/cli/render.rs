@@ -4,12 +4,13 @@ use super::answer::{print, to_json};
 use super::demand::{Demand, bias};
 use super::left_out::LeftOut;
 use super::maps::Maps;
+use super::patching::{Patched, Patching};
 use super::report::Report;
 use super::stop::{Ended, Ending};
 use super::{Stop, note_slow_build, stem, use_threads};
 use crate::integrators::{
-    self, Entry, FilteredPath, Integrator, LADDER, Path as PathTracer, RarelyAsked, Shows, VIEWS,
-    rarely_asked,
+    self, Entry, FilteredPath, Integrator, LADDER, Path as PathTracer, RarelyAsked, Settings,
+    Shows, VIEWS, rarely_asked,
 };
 use crate::lab::chapter::{Bar, on_ctrl_c, tell, whole};
 use crate::lab::effects::measure::Setup;
@@ -18,6 +19,7 @@ use crate::render::stopping::{Outcome, render_to};
 use crate::render::{self, Options, Rendered};
 use crate::sampling::stream::Sampler;
 use crate::scene::{Scene, build::film_size, gallery};
+use crate::time::Moment;
 use clap::builder::{PossibleValue, PossibleValuesParser, TypedValueParser};
 use clap::{Args, ValueEnum};
 use std::path::PathBuf;
@@ -56,6 +58,8 @@ pub struct Render {
     /// [default: out/FILE.png after the scene's file; by another integrator than path out/FILE-NAME.png]
     #[arg(long, value_name = "FILE")]
     out: Option<PathBuf>,
+    #[command(flatten)]
+    patching: Patching,
     #[command(flatten)]
     maps: Maps,
     /// Print what was rendered as JSON, to stdout
@@ -142,6 +146,8 @@ impl Render {
             )));
         }
         let max_depth = self.max_depth(&scene)?;
+        self.patching
+            .check(self.integrator, self.ending.goal().error.is_some())?;
         // Checked before any work, so that none is lost to a misspelt name or a closed folder.
         let path = self.path();
         output::prepare(&path, &scene)?;
@@ -159,8 +165,15 @@ impl Render {
         {
             tell(left_out.notes(&scene));
         }
+        let mut solved = None;
         let outcome = match &wanted {
-            None => self.with(&scene, &self.integrator.with(max_depth)),
+            None => {
+                let start = Moment::now();
+                let made = self.prepare(&scene, max_depth)?;
+                let seconds = start.elapsed().unwrap_or_default().as_secs_f64();
+                solved = made.solved().map(|&report| Patched { report, seconds });
+                self.with(&scene, &made)
+            }
             Some(wanted) => {
                 let path = PathTracer::new(max_depth);
                 let paths = &wanted.eye_first;
@@ -217,6 +230,7 @@ impl Render {
             black: left_out
                 .filter(|_| rendered.is_black())
                 .map(|left_out| left_out.why_black(&scene, max_depth)),
+            patches: solved,
             rarely_asked: self.rarely_asked(&scene, rendered, max_depth),
             lamps_unmet: left_out.map_or(0, LeftOut::unmet),
             unmet: left_out.map_or_else(String::new, LeftOut::after),
@@ -239,6 +253,28 @@ impl Render {
             return Err(Stop::Interrupted);
         }
         Ok(())
+    }
+
+    /// The integrator for a scene, with a bar of its own where that takes a while.
+    fn prepare(&self, scene: &Scene, max_depth: u32) -> Result<Box<dyn Integrator>, Stop> {
+        let stop = on_ctrl_c();
+        let bar = match self.quiet || !self.integrator.is_prepared() {
+            true => Bar::hidden(stop),
+            false => Bar::new("patches", stop),
+        };
+        let settings = Settings {
+            max_depth,
+            patches: self.patching.size(),
+            watch: &bar,
+        };
+        let made = self.integrator.prepare(scene, &settings);
+        made.map_err(|refused| match refused.is_stop() {
+            true => {
+                tell("interrupted before the first sample: nothing is written");
+                Stop::Interrupted
+            }
+            false => Stop::Input(format!("--integrator {}: {refused}", self.integrator.name)),
+        })
     }
 
     fn with(&self, scene: &Scene, integrator: &impl Integrator) -> Outcome {

@@ -1,6 +1,7 @@
 //! What happened in a render: in words, and for programs.
 
 use super::left_out::LeftOut;
+use super::patching::Patched;
 use super::stop::Ended;
 use crate::integrators::{ENOUGH, RarelyAsked};
 use crate::numeric::count;
@@ -30,6 +31,8 @@ pub(super) struct Report<'a> {
     #[serde(skip)]
     pub no_maps: Option<String>,
     pub black: Option<String>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub patches: Option<Patched>,
     pub rarely_asked: Option<RarelyAsked>,
     pub lamps_unmet: usize,
     /// What no sample has met, in words.
@@ -215,6 +218,9 @@ impl Display for Report<'_> {
         }
         self.scene(f)?;
         self.picture(f)?;
+        if let Some(patches) = &self.patches {
+            writeln!(f, "{patches}")?;
+        }
         self.accuracy.fmt(f)?;
         if let Some(why) = &self.black {
             writeln!(f, "the picture is black: {why}")?;

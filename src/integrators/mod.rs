@@ -10,7 +10,8 @@
 //! | [`Distributed`] | the same | `next_event`; every integral can be left out |
 //! | [`WhichRay`] | the same | shadow rays, and one ray whose kind is chosen |
 //! | [`Combine`] | the same | both, weighted |
-//! | [`Path`] | the same | all of it: the one to use |
+//! | [`Radiosity`] | `LD*(S\|G)*E` | light solved on patches, looked at by one ray more |
+//! | [`Path`] | as `combine` | all of it: the one to use |
 //!
 //! The walks are written against [`world::World`] and run in flatland, too. No integrator is
 //! a flag of another one. They share the floors below, never each other's lines.
@@ -23,6 +24,7 @@ mod kajiya;
 mod next_event;
 mod observer;
 mod path;
+mod prepare;
 mod roulette;
 mod tree;
 mod views;
@@ -30,6 +32,7 @@ mod which_ray;
 mod whitted;
 pub mod world;
 
+pub use crate::radiosity::Radiosity;
 pub use asked::{ENOUGH, RarelyAsked, rarely_asked};
 pub use combine::{Combine, Shares};
 pub use distributed::{Distributed, Integral};
@@ -38,6 +41,7 @@ pub use kajiya::Kajiya;
 pub use next_event::NextEvent;
 pub use observer::{AllLight, FilteredPath, PathFilter, PathObserver};
 pub use path::Path;
+pub use prepare::{Refused, Settings, Watch};
 pub use roulette::{Roulette, Survival};
 pub use tree::{Met, RayKind, RecordedRay, TreeCount, TreeObserver, TreeRay, TreeRecord};
 pub use views::{Albedo, Depth, Normals};
@@ -46,18 +50,20 @@ pub use whitted::{Whitted, direct_light};
 
 use crate::color::Rgb;
 use crate::geometry::Ray;
+use crate::radiosity;
 use crate::sampling::stream::Stream;
 use crate::scene::Tracer;
 use crate::space::Solid;
 
 /// The integrators of light that one can ask for by name, in the order of the ladder.
-pub const LADDER: [Entry; 7] = [
+pub const LADDER: [Entry; 8] = [
     Whitted::ENTRY,
     Kajiya::ENTRY,
     WhichRay::ENTRY,
     Roulette::ENTRY,
     NextEvent::ENTRY,
     Combine::ENTRY,
+    Radiosity::ENTRY,
     Path::ENTRY,
 ];
 
@@ -77,11 +83,20 @@ pub trait Integrator: Sync {
     /// A pure function of its arguments: all randomness comes from `stream`, all rays go through
     /// `tracer`.
     fn li(&self, tracer: &mut Tracer, ray: &Ray, stream: &Stream) -> Rgb;
+
+    /// What it found out about the scene while it was made; `None` for those that did not look.
+    fn solved(&self) -> Option<&radiosity::Report> {
+        None
+    }
 }
 
 impl<I: Integrator + ?Sized> Integrator for Box<I> {
     fn li(&self, tracer: &mut Tracer, ray: &Ray, stream: &Stream) -> Rgb {
         (**self).li(tracer, ray, stream)
+    }
+
+    fn solved(&self) -> Option<&radiosity::Report> {
+        (**self).solved()
     }
 }
 

@@ -121,6 +121,7 @@ pub(super) fn assemble(from: &Arc<MadeFrom>) -> Checked<Scene> {
     };
     Ok(Scene {
         made_from: Arc::clone(from),
+        origin,
         name: said.name.clone(),
         about: said.about.clone(),
         camera,

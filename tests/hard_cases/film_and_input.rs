@@ -124,7 +124,7 @@ fn a39_no_sample_of_the_gallery_is_at_fault() {
                 faults,
                 largest: most,
                 ..
-            } = render(&scene, &integrator.with(depth), &options, &());
+            } = render(&scene, &made(&integrator, &scene, depth), &options, &());
             assert_eq!(faults, Faults::default(), "{name}, {by}");
             let longest = if integrator == Roulette::ENTRY {
                 u32::MAX
@@ -376,7 +376,7 @@ fn a46_nothing_at_all() {
     for (objects, shade) in [("", 1.0), ("objects = []\nlights = []\n", 1.0)] {
         let scene = try_load(&format!("{objects}{text}")).unwrap();
         for integrator in LADDER {
-            let film = render(&scene, &integrator.with(5), &options(3), &()).film;
+            let film = render(&scene, &made(&integrator, &scene, 5), &options(3), &()).film;
             for pixel in film.pixels() {
                 let exact = [0.1_f32, 0.2, 30.0].map(|x| f64::from(x) * shade);
                 assert_eq!(pixel.mean(), Some(exact), "{}", integrator.name);

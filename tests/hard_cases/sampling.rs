@@ -248,9 +248,7 @@ fn a26_lights_without_extent_are_found_by_aiming_alone() {
         let read: Estimate = (0..20_000)
             .map(|i| {
                 let mut tracer = Tracer::new(&lit);
-                let li = integrator
-                    .with(2)
-                    .li(&mut tracer, &ray, &Stream::new(26, 0, i));
+                let li = made(&integrator, &lit, 2).li(&mut tracer, &ray, &Stream::new(26, 0, i));
                 f64::from(li.g)
             })
             .collect();

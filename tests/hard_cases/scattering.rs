@@ -289,7 +289,7 @@ fn a37_no_light_comes_through_a_closed_surface() {
     }
     let dark = scene(&text);
     let mut draw = Draw::new(37, 0);
-    for integrator in LADDER.map(|integrator| integrator.with(20)) {
+    for integrator in LADDER.map(|integrator| made(&integrator, &dark, 20)) {
         for i in 0..2000 {
             let ray = Ray::new(draw.cube(0.1), draw.direction());
             let li = integrator.li(&mut Tracer::new(&dark), &ray, &Stream::new(37, 0, i));

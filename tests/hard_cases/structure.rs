@@ -186,7 +186,7 @@ fn a48_paths_end_before_their_light_does() {
          sphere = { center = [0, 0, 0], radius = 1, inward = true }\n",
     );
     let rays = |integrator: Entry| {
-        let (name, integrator) = (integrator.name, integrator.with(1000));
+        let (name, integrator) = (integrator.name, made(&integrator, &dim, 1000));
         let mut tracer = Tracer::new(&dim);
         let mut sum = 0.0;
         for i in 0..1000 {
