@@ -31,6 +31,7 @@ mod mutations;
 mod notation;
 mod path;
 mod peers;
+mod radiosity;
 mod random_scenes;
 mod six_integrals;
 mod stopping;

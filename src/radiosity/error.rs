@@ -26,6 +26,9 @@ pub enum RadiosityError {
          their own: give each object its own file, or use another integrator"
     )]
     Shared(usize),
+    /// A polygon that is no patch.
+    #[error("a patch needs three corners or more, finite and not on one line")]
+    Degenerate,
     /// A patch size that is no length.
     #[error("a patch cannot be {0} long: give a length above 0 in scene units")]
     Size(f64),

@@ -111,6 +111,30 @@ impl FlatSolution {
     }
 }
 
+impl FlatSolution {
+    /// What arrives at a point from all patches, as a mean of radiances over its half disk: a point of a
+    /// surface with unit normal `n`, in a world where nothing comes between.
+    pub fn arriving(&self, p: DVec2, n: DVec2) -> Channels {
+        let mut sum = [0.0; 3];
+        for (patch, radiance) in self.patches.iter().zip(&self.solved.radiance) {
+            if patch.height(p) <= patch.close {
+                continue;
+            }
+            let heights = patch.ends.map(|end| n.dot(end - p));
+            let crossing = patch.at((heights[0] / (heights[0] - heights[1])).clamp(0.0, 1.0));
+            let ends = match heights.map(|h| h > 0.0) {
+                [true, true] => patch.ends,
+                [true, false] => [patch.ends[0], crossing],
+                [false, true] => [crossing, patch.ends[1]],
+                [false, false] => continue,
+            };
+            let factor = sines(p, n, ends);
+            (0..3).for_each(|c| sum[c] += factor * radiance[c]);
+        }
+        sum
+    }
+}
+
 fn patches(world: &FlatWorld, size: f64) -> Result<Vec<FlatPatch>, RadiosityError> {
     if !(size > 0.0 && size.is_finite()) {
         return Err(RadiosityError::Size(size));

@@ -45,6 +45,27 @@ pub struct Patch {
 }
 
 impl Patch {
+    /// A patch on its own.
+    ///
+    /// * `polygon`: three corners or more, convex, flat and finite, wound counter-clockwise seen from the
+    ///   side that counts.
+    pub fn new(
+        polygon: Vec<DVec3>,
+        albedo: Channels,
+        emission: Channels,
+    ) -> Result<Patch, RadiosityError> {
+        let vector = area_vector(&polygon);
+        let normal = vector.try_normalize().filter(|n| n.is_finite());
+        Ok(Patch {
+            normal: normal.ok_or(RadiosityError::Degenerate)?,
+            area: 0.5 * vector.length(),
+            albedo,
+            emission,
+            close: rounding(&polygon),
+            polygon,
+        })
+    }
+
     /// Signed distance of a point from its plane, positive on its side.
     pub(super) fn height(&self, p: DVec3) -> f64 {
         self.normal.dot(p - self.polygon[0])
@@ -241,6 +262,12 @@ fn about(outline: &Outline, length: f64) -> f64 {
     0.5 * area_vector(&outline.polygon).length() / (length * length)
 }
 
+/// A bound on how far rounding to `f32` moves a corner, in scene units.
+fn rounding(polygon: &[DVec3]) -> f64 {
+    let largest = polygon.iter().map(|p| p.abs().max_element());
+    largest.fold(0.0, f64::max) * f64::from(gamma(16))
+}
+
 fn sides(scene: &Scene) -> Result<Vec<Side<'_>>, RadiosityError> {
     if scene.moves() {
         return Err(RadiosityError::Motion);
@@ -261,8 +288,7 @@ fn sides(scene: &Scene) -> Result<Vec<Side<'_>>, RadiosityError> {
             Shape::Triangle(t) => [t.a, t.b, t.c].map(|c| c.as_dvec3()).to_vec(),
         };
         diffuse += usize::from(scatters);
-        let largest = polygon.iter().map(|p| p.abs().max_element());
-        let close = largest.fold(0.0, f64::max) * f64::from(gamma(16));
+        let close = rounding(&polygon);
         let normal = area_vector(&polygon).normalize_or_zero();
         sides.push(Side {
             counts: scatters || facet.object.light.is_some(),

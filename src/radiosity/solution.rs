@@ -16,7 +16,7 @@ pub const POINTS: usize = 2;
 /// matrix.
 const TOLERANCE: f64 = 1e-7;
 /// A sweep that still changes more than this has not settled.
-const SETTLED: f64 = 1e-4;
+const SETTLED: f64 = 1e-6;
 
 /// The radiance of a scene's patches.
 #[derive(Clone, Debug)]

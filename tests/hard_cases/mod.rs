@@ -87,10 +87,17 @@ mod structure;
 mod viewing;
 mod watertight;
 
+use halfdisk::integrators::{Entry, Integrator, Settings};
 use halfdisk::scene::Scene;
 use halfdisk::scene::description::Description;
 use halfdisk::scene::gallery;
 use halfdisk::scene::read::Source;
+
+/// The integrator for a scene, as usual.
+fn made(entry: &Entry, scene: &Scene, max_depth: u32) -> Box<dyn Integrator> {
+    let settings = Settings::new(max_depth);
+    entry.prepare(scene, &settings).expect("an integrator")
+}
 
 /// A scene of these objects and lights, seen from the origin along `z`.
 fn scene(text: &str) -> Scene {

@@ -1,6 +1,7 @@
 //! Frames, directions, weights, survival, and points that lie evenly.
 
 use super::draw::Draw;
+use super::made;
 use glam::{Vec2, Vec3};
 use halfdisk::color::Rgb;
 use halfdisk::integrators::Survival;

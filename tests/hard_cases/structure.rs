@@ -1,6 +1,6 @@
 //! The same light, however the scene is put: scaled, turned, mirrored, doubled, cut in pieces.
 
-use super::{room_with, scene};
+use super::{made, room_with, scene};
 use glam::DVec3;
 use halfdisk::geometry::Ray;
 use halfdisk::integrators::{Entry, Integrator, Kajiya, Path, Roulette};
