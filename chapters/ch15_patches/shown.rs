@@ -36,7 +36,7 @@ impl Integrator for Bare<'_> {
             How::Smooth => self.solution.smooth(hit.shape, p, front),
         };
         let patch = self.solution.patches.at(hit.shape, p, front);
-        let near = |i: usize| rim(&self.solution.patches.all[i], p) < 2e-3 * f64::from(hit.t);
+        let near = |i: usize| rim(&self.solution.patches.all[i], p) < 1.2e-3 * f64::from(hit.t);
         if self.how == How::Wires && patch.is_some_and(near) {
             return Rgb::new(0.9, 0.75, 0.2) * 0.4;
         }

@@ -20,6 +20,7 @@ mod report;
 mod scenes;
 mod stop;
 mod tour;
+mod views;
 
 use crate::lab::chapter::{self, interrupted_code, tell};
 use crate::lab::drawing::ChartError;

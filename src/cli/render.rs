@@ -7,6 +7,7 @@ use super::maps::Maps;
 use super::patching::{Patched, Patching};
 use super::report::Report;
 use super::stop::{Ended, Ending};
+use super::views::Views;
 use super::{Stop, note_slow_build, stem, use_threads};
 use crate::integrators::{
     self, Entry, FilteredPath, Integrator, LADDER, Path as PathTracer, RarelyAsked, Settings,
@@ -60,6 +61,8 @@ pub struct Render {
     out: Option<PathBuf>,
     #[command(flatten)]
     patching: Patching,
+    #[command(flatten)]
+    views: Views,
     #[command(flatten)]
     maps: Maps,
     /// Print what was rendered as JSON, to stdout
@@ -151,6 +154,7 @@ impl Render {
         // Checked before any work, so that none is lost to a misspelt name or a closed folder.
         let path = self.path();
         output::prepare(&path, &scene)?;
+        let views = self.views.of(&scene, &path)?;
         for map in self.maps.pictures(&path) {
             output::prepare(&map, &scene)?;
         }
@@ -165,14 +169,16 @@ impl Render {
         {
             tell(left_out.notes(&scene));
         }
-        let mut solved = None;
+        let (mut solved, mut kept_integrator) = (None, None);
         let outcome = match &wanted {
             None => {
                 let start = Moment::now();
                 let made = self.prepare(&scene, max_depth)?;
                 let seconds = start.elapsed().unwrap_or_default().as_secs_f64();
                 solved = made.solved().map(|&report| Patched { report, seconds });
-                self.with(&scene, &made)
+                let outcome = self.with(&scene, &made);
+                kept_integrator = Some(made);
+                outcome
             }
             Some(wanted) => {
                 let path = PathTracer::new(max_depth);
@@ -200,6 +206,19 @@ impl Render {
         // All files first: what follows is for people, or may fail.
         let kept = output::write_somewhere(&path, &rendered.film, display, &facts)?;
         let path = &kept.path;
+        let mut seen = Vec::new();
+        for view in views.iter().filter(|_| !rendered.interrupted) {
+            let Some(made) = &kept_integrator else { break };
+            let moved = view.integrator(&scene, made);
+            let drawn = self
+                .with(&view.scene, moved.as_ref().unwrap_or(made))
+                .rendered;
+            output::write(&view.path, &drawn.film, display, &facts)?;
+            seen.push(view.path.display().to_string());
+            if drawn.interrupted {
+                break;
+            }
+        }
         let goal = self.ending.goal();
         let ((maps, no_maps), maps_failed) = match self.maps.write(path, &rendered.film, &goal) {
             Ok(maps) => (maps, None),
@@ -226,6 +245,7 @@ impl Render {
             accuracy: Ended::new(&outcome, &goal, facts.sampler, left_out),
             too_bright_pixels: self.too_bright(&scene, rendered, max_depth),
             maps,
+            views: seen,
             no_maps,
             black: left_out
                 .filter(|_| rendered.is_black())

@@ -27,6 +27,8 @@ pub(super) struct Report<'a> {
     pub accuracy: Ended<'a>,
     pub too_bright_pixels: usize,
     pub maps: Vec<String>,
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub views: Vec<String>,
     /// Why there are no maps, or not all of them.
     #[serde(skip)]
     pub no_maps: Option<String>,
@@ -232,7 +234,7 @@ impl Display for Report<'_> {
             writeln!(f, "interrupted: {what}")?;
         }
         write!(f, "wrote {}", self.out)?;
-        let mut maps = self.maps.iter();
+        let mut maps = self.views.iter().chain(&self.maps);
         maps.try_for_each(|map| write!(f, "\nwrote {map}"))?;
         let mut no_maps = self.no_maps.iter();
         no_maps.try_for_each(|why| write!(f, "\nnote: {why}"))

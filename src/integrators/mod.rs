@@ -54,6 +54,7 @@ use crate::radiosity;
 use crate::sampling::stream::Stream;
 use crate::scene::Tracer;
 use crate::space::Solid;
+use glam::DVec3;
 
 /// The integrators of light that one can ask for by name, in the order of the ladder.
 pub const LADDER: [Entry; 8] = [
@@ -88,6 +89,12 @@ pub trait Integrator: Sync {
     fn solved(&self) -> Option<&radiosity::Report> {
         None
     }
+
+    /// The same for the same scene in coordinates whose origin is `by` further, as another camera has
+    /// them; `None` where it holds no coordinates.
+    fn moved(&self, _by: DVec3) -> Option<Box<dyn Integrator>> {
+        None
+    }
 }
 
 impl<I: Integrator + ?Sized> Integrator for Box<I> {
@@ -97,6 +104,10 @@ impl<I: Integrator + ?Sized> Integrator for Box<I> {
 
     fn solved(&self) -> Option<&radiosity::Report> {
         (**self).solved()
+    }
+
+    fn moved(&self, by: DVec3) -> Option<Box<dyn Integrator>> {
+        (**self).moved(by)
     }
 }
 

@@ -21,7 +21,7 @@ use crate::materials::{Bsdf, Event};
 use crate::sampling::hemisphere;
 use crate::sampling::stream::{Purpose, Stream};
 use crate::scene::{Interaction, Scene, Tracer};
-use glam::Vec3;
+use glam::{DVec3, Vec3};
 
 /// Light from patches.
 #[derive(Clone, Debug)]
@@ -112,16 +112,6 @@ impl Radiosity {
         &self.solution
     }
 
-    /// The same light for a view from elsewhere: `from` and `to` are of one scene but for their cameras.
-    #[must_use]
-    pub fn seen_from(self, from: &Scene, to: &Scene) -> Self {
-        let by = to.origin() - from.origin();
-        Radiosity {
-            solution: self.solution.moved(by),
-            ..self
-        }
-    }
-
     // ANCHOR: radiosity
     /// The light along a ray from the eye.
     fn walk(&self, tracer: &mut Tracer, ray: &Ray, stream: &Stream) -> Rgb {
@@ -187,5 +177,10 @@ impl Integrator for Radiosity {
 
     fn solved(&self) -> Option<&Report> {
         Some(&self.report)
+    }
+
+    fn moved(&self, by: DVec3) -> Option<Box<dyn Integrator>> {
+        let solution = self.solution.clone().moved(by);
+        Some(Box::new(Radiosity { solution, ..*self }))
     }
 }

@@ -143,6 +143,11 @@ impl Scene {
         self.origin
     }
 
+    /// The scene as the camera of another one sees it: an image of the same size.
+    pub fn with_camera_of(&self, other: &Scene) -> Result<Scene, SceneError> {
+        self.changed(|said| said.camera = other.made_from.description.camera.clone())
+    }
+
     /// True where anything moves while the shutter is open.
     pub fn moves(&self) -> bool {
         let transformed = self.transformed.as_ref();

@@ -117,7 +117,7 @@ fn a_wall_in_the_middle_of_a_patch_does_not_leak() {
 }
 
 #[test]
-fn another_view_of_the_same_light() {
+fn s0_26_another_view_of_the_same_light() {
     let here = scene(&(CUBE.to_owned() + BLOCK));
     let there = here
         .changed(|said| {
@@ -127,7 +127,14 @@ fn another_view_of_the_same_light() {
         .expect("a proper scene");
     let size = PatchSize::Number(500);
     let first = Radiosity::new(&here, 60, size, &()).expect("patches");
-    let moved = mean(&there, &first.clone().seen_from(&here, &there), 64, 5);
+    let moved = mean(
+        &there,
+        &first
+            .moved(there.origin() - here.origin())
+            .expect("another view"),
+        64,
+        5,
+    );
     let anew = mean(
         &there,
         &Radiosity::new(&there, 60, size, &()).expect("patches"),
