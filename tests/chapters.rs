@@ -6,6 +6,7 @@
 
 mod charts;
 mod judge;
+mod patches;
 mod pictures;
 mod prices;
 mod walks;
@@ -19,7 +20,7 @@ use std::process::Command;
 
 /// Chapters with pictures, and the samples of each of their pixels: so many that a bias of 1 % is noticed,
 /// where that takes seconds.
-const PROGRAMS: [(&str, &str, &str); 11] = [
+const PROGRAMS: [(&str, &str, &str); 12] = [
     (env!("CARGO_BIN_EXE_ch01-from-the-eye"), "ch01", "800"),
     (env!("CARGO_BIN_EXE_ch02-whitteds-tree"), "ch02", "16"),
     (env!("CARGO_BIN_EXE_ch03-alphabet"), "ch03", "256"),
@@ -30,6 +31,7 @@ const PROGRAMS: [(&str, &str, &str); 11] = [
     (env!("CARGO_BIN_EXE_ch11-roulette"), "ch11", "64"),
     (env!("CARGO_BIN_EXE_ch12-aim-at-the-light"), "ch12", "32"),
     (env!("CARGO_BIN_EXE_ch13-combine"), "ch13", "32"),
+    (env!("CARGO_BIN_EXE_ch15-patches"), "ch15", "256"),
     (
         env!("CARGO_BIN_EXE_ch18-what-the-scene-asks"),
         "ch18",

@@ -2,7 +2,7 @@
 
 use crate::figures::short;
 use crate::share_of;
-use halfdisk::integrators::{Entry, Path, WALKS};
+use halfdisk::integrators::{Entry, Path, Settings, WALKS};
 use halfdisk::lab::chapter::{Desk, DeskError, Number};
 use halfdisk::lab::effects::language::{Class, Finds, finds};
 use halfdisk::lab::effects::words::{Words, words};
@@ -148,7 +148,7 @@ fn picture(
     integrator: Entry,
     seed: u64,
 ) -> Result<(f64, u64), DeskError> {
-    let by = integrator.with(scene.suggested.max_depth);
+    let by = integrator.prepare(scene, &Settings::new(scene.suggested.max_depth))?;
     let options = options(desk, seed);
     let rendered = render(scene, &by, &options, &desk.bar(integrator.name));
     if rendered.interrupted {

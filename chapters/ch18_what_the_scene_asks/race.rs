@@ -2,7 +2,7 @@
 
 use crate::savings::two_digits;
 use crate::{FINAL, load};
-use halfdisk::integrators::{self, Kajiya, Path, WALKS, Whitted};
+use halfdisk::integrators::{self, Kajiya, Path, Settings, WALKS, Whitted};
 use halfdisk::lab::chapter::{Desk, DeskError, Number};
 use halfdisk::lab::drawing::{Axis, Curve, CurveChart, HALF, Style};
 use halfdisk::lab::experiment::cost::Reference;
@@ -45,7 +45,8 @@ pub fn work(desk: &mut Desk) -> Result<Race, DeskError> {
                     seed: desk.options.seed + 1000 * (1 + place as u64) + replicate,
                     ..Options::default()
                 };
-                let by = integrator.with(scene.suggested.max_depth);
+                let settings = Settings::new(scene.suggested.max_depth);
+                let by = integrator.prepare(&scene, &settings)?;
                 let rendered = render(&scene, &by, &options, &desk.bar(integrator.name));
                 if rendered.interrupted {
                     return Err(DeskError::Interrupted);

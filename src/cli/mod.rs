@@ -14,11 +14,13 @@ mod effects;
 mod left_out;
 mod maps;
 mod page;
+mod patching;
 mod render;
 mod report;
 mod scenes;
 mod stop;
 mod tour;
+mod views;
 
 use crate::lab::chapter::{self, interrupted_code, tell};
 use crate::lab::drawing::ChartError;

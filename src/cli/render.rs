@@ -4,12 +4,14 @@ use super::answer::{print, to_json};
 use super::demand::{Demand, bias};
 use super::left_out::LeftOut;
 use super::maps::Maps;
+use super::patching::{Patched, Patching};
 use super::report::Report;
 use super::stop::{Ended, Ending};
+use super::views::Views;
 use super::{Stop, note_slow_build, stem, use_threads};
 use crate::integrators::{
-    self, Entry, FilteredPath, Integrator, OTHERS, Path as PathTracer, RarelyAsked, Shows, VIEWS,
-    WALKS, rarely_asked,
+    self, Entry, FilteredPath, Integrator, OTHERS, Path as PathTracer, RarelyAsked, Settings,
+    Shows, VIEWS, WALKS, rarely_asked,
 };
 use crate::lab::chapter::{Bar, on_ctrl_c, tell, whole};
 use crate::lab::effects::measure::Setup;
@@ -18,6 +20,7 @@ use crate::render::stopping::{Outcome, render_to};
 use crate::render::{self, Options, Rendered};
 use crate::sampling::stream::Sampler;
 use crate::scene::{Scene, build::film_size, gallery};
+use crate::time::Moment;
 use clap::builder::{PossibleValue, PossibleValuesParser, TypedValueParser};
 use clap::{Args, ValueEnum};
 use std::path::PathBuf;
@@ -56,6 +59,10 @@ pub struct Render {
     /// [default: out/FILE.png after the scene's file; by another integrator than path out/FILE-NAME.png]
     #[arg(long, value_name = "FILE")]
     out: Option<PathBuf>,
+    #[command(flatten)]
+    patching: Patching,
+    #[command(flatten)]
+    views: Views,
     #[command(flatten)]
     maps: Maps,
     /// Print what was rendered as JSON, to stdout
@@ -142,9 +149,12 @@ impl Render {
             )));
         }
         let max_depth = self.max_depth(&scene)?;
+        self.patching
+            .check(self.integrator, self.ending.goal().error.is_some())?;
         // Checked before any work, so that none is lost to a misspelt name or a closed folder.
         let path = self.path();
         output::prepare(&path, &scene)?;
+        let views = self.views.of(&scene, &path)?;
         for map in self.maps.pictures(&path) {
             output::prepare(&map, &scene)?;
         }
@@ -159,8 +169,17 @@ impl Render {
         {
             tell(left_out.notes(&scene));
         }
+        let (mut solved, mut kept_integrator) = (None, None);
         let outcome = match &wanted {
-            None => self.with(&scene, &self.integrator.with(max_depth)),
+            None => {
+                let start = Moment::now();
+                let made = self.prepare(&scene, max_depth)?;
+                let seconds = start.elapsed().unwrap_or_default().as_secs_f64();
+                solved = made.solved().map(|&report| Patched { report, seconds });
+                let outcome = self.with(&scene, &made);
+                kept_integrator = Some(made);
+                outcome
+            }
             Some(wanted) => {
                 let path = PathTracer::new(max_depth);
                 let paths = &wanted.eye_first;
@@ -187,6 +206,19 @@ impl Render {
         // All files first: what follows is for people, or may fail.
         let kept = output::write_somewhere(&path, &rendered.film, display, &facts)?;
         let path = &kept.path;
+        let mut seen = Vec::new();
+        for view in views.iter().filter(|_| !rendered.interrupted) {
+            let Some(made) = &kept_integrator else { break };
+            let moved = view.integrator(&scene, made);
+            let drawn = self
+                .with(&view.scene, moved.as_ref().unwrap_or(made))
+                .rendered;
+            output::write(&view.path, &drawn.film, display, &facts)?;
+            seen.push(view.path.display().to_string());
+            if drawn.interrupted {
+                break;
+            }
+        }
         let goal = self.ending.goal();
         let ((maps, no_maps), maps_failed) = match self.maps.write(path, &rendered.film, &goal) {
             Ok(maps) => (maps, None),
@@ -213,10 +245,12 @@ impl Render {
             accuracy: Ended::new(&outcome, &goal, facts.sampler, left_out),
             too_bright_pixels: self.too_bright(&scene, rendered, max_depth),
             maps,
+            views: seen,
             no_maps,
             black: left_out
                 .filter(|_| rendered.is_black())
                 .map(|left_out| left_out.why_black(&scene, max_depth)),
+            patches: solved,
             rarely_asked: self.rarely_asked(&scene, rendered, max_depth),
             lamps_unmet: left_out.map_or(0, LeftOut::unmet),
             unmet: left_out.map_or_else(String::new, LeftOut::after),
@@ -239,6 +273,28 @@ impl Render {
             return Err(Stop::Interrupted);
         }
         Ok(())
+    }
+
+    /// The integrator for a scene, with a bar of its own where that takes a while.
+    fn prepare(&self, scene: &Scene, max_depth: u32) -> Result<Box<dyn Integrator>, Stop> {
+        let stop = on_ctrl_c();
+        let bar = match self.quiet || !self.integrator.is_prepared() {
+            true => Bar::hidden(stop),
+            false => Bar::new("patches", stop),
+        };
+        let settings = Settings {
+            max_depth,
+            patches: self.patching.size(),
+            watch: &bar,
+        };
+        let made = self.integrator.prepare(scene, &settings);
+        made.map_err(|refused| match refused.is_stop() {
+            true => {
+                tell("interrupted before the first sample: nothing is written");
+                Stop::Interrupted
+            }
+            false => Stop::Input(format!("--integrator {}: {refused}", self.integrator.name)),
+        })
     }
 
     fn with(&self, scene: &Scene, integrator: &impl Integrator) -> Outcome {

@@ -1,6 +1,7 @@
 //! What happened in a render: in words, and for programs.
 
 use super::left_out::LeftOut;
+use super::patching::Patched;
 use super::stop::Ended;
 use crate::integrators::{ENOUGH, RarelyAsked};
 use crate::numeric::count;
@@ -26,10 +27,14 @@ pub(super) struct Report<'a> {
     pub accuracy: Ended<'a>,
     pub too_bright_pixels: usize,
     pub maps: Vec<String>,
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub views: Vec<String>,
     /// Why there are no maps, or not all of them.
     #[serde(skip)]
     pub no_maps: Option<String>,
     pub black: Option<String>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub patches: Option<Patched>,
     pub rarely_asked: Option<RarelyAsked>,
     pub lamps_unmet: usize,
     /// What no sample has met, in words.
@@ -215,6 +220,9 @@ impl Display for Report<'_> {
         }
         self.scene(f)?;
         self.picture(f)?;
+        if let Some(patches) = &self.patches {
+            writeln!(f, "{patches}")?;
+        }
         self.accuracy.fmt(f)?;
         if let Some(why) = &self.black {
             writeln!(f, "the picture is black: {why}")?;
@@ -226,7 +234,7 @@ impl Display for Report<'_> {
             writeln!(f, "interrupted: {what}")?;
         }
         write!(f, "wrote {}", self.out)?;
-        let mut maps = self.maps.iter();
+        let mut maps = self.views.iter().chain(&self.maps);
         maps.try_for_each(|map| write!(f, "\nwrote {map}"))?;
         let mut no_maps = self.no_maps.iter();
         no_maps.try_for_each(|why| write!(f, "\nnote: {why}"))

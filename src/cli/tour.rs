@@ -26,6 +26,7 @@ const CHAPTERS: &[(&str, &str)] = &[
     ("ch12", "ch12-aim-at-the-light"),
     ("ch13", "ch13-combine"),
     ("ch14", "ch14-cost"),
+    ("ch15", "ch15-patches"),
     ("ch17", "ch17-hard-cases"),
     ("ch18", "ch18-what-the-scene-asks"),
 ];

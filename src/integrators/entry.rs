@@ -1,6 +1,7 @@
 //! What everyone needs to know of an integrator that can be asked for by name.
 
-use super::Integrator;
+use super::{Integrator, Refused, Settings};
+use crate::scene::Scene;
 
 /// An integrator of the table: its name, its constructor, and the light it finds.
 ///
@@ -14,15 +15,23 @@ pub struct Entry {
     pub about: &'static str,
     /// The same in a sentence, for who has to choose one.
     pub help: &'static str,
-    /// The integrator whose paths have at most so many segments.
-    /// See [`Entry::with`].
-    pub(super) make: fn(max_depth: u32) -> Box<dyn Integrator>,
+    /// How it is made: see [`Entry::prepare`].
+    pub(crate) make: Make,
     /// What its pictures show.
     pub shows: Shows,
     /// The longest path it can follow, in segments.
     pub longest: u32,
     /// True where its paths end by chance, whatever their longest is said to be.
     pub is_endless: bool,
+}
+
+/// How an integrator is made.
+#[derive(Clone, Copy, Debug)]
+pub(crate) enum Make {
+    /// From the longest path that it follows, in segments.
+    Plain(fn(max_depth: u32) -> Box<dyn Integrator>),
+    /// From the scene.
+    Prepared(fn(&Scene, &Settings) -> Result<Box<dyn Integrator>, Refused>),
 }
 
 /// What the pictures of an integrator show.
@@ -97,10 +106,23 @@ impl Finds {
 impl Entry {
     /// An integrator of light, whose paths may be of any length.
     pub(super) const fn of_light(
-        [name, about, help]: [&'static str; 3],
+        names: [&'static str; 3],
         finds: Finds,
         make: fn(u32) -> Box<dyn Integrator>,
     ) -> Entry {
+        Entry::new(names, finds, Make::Plain(make))
+    }
+
+    /// An integrator of light that looks at the scene before it answers.
+    pub(crate) const fn of_solved_light(
+        names: [&'static str; 3],
+        finds: Finds,
+        make: fn(&Scene, &Settings) -> Result<Box<dyn Integrator>, Refused>,
+    ) -> Entry {
+        Entry::new(names, finds, Make::Prepared(make))
+    }
+
+    const fn new([name, about, help]: [&'static str; 3], finds: Finds, make: Make) -> Entry {
         Entry {
             name,
             about,
@@ -124,9 +146,32 @@ impl Entry {
         }
     }
 
-    /// The integrator whose paths have at most `max_depth` segments, and at most [`Entry::longest`].
-    pub fn with(&self, max_depth: u32) -> Box<dyn Integrator> {
-        (self.make)(max_depth.min(self.longest))
+    /// The integrator for `scene`, whose paths have at most [`Settings::max_depth`] segments, and at most
+    /// [`Entry::longest`].
+    ///
+    /// Most are made at once for any scene. One that solves the scene beforehand takes its time, tells
+    /// how far it is, and refuses what it cannot hold.
+    pub fn prepare(
+        &self,
+        scene: &Scene,
+        settings: &Settings,
+    ) -> Result<Box<dyn Integrator>, Refused> {
+        let max_depth = settings.max_depth.min(self.longest);
+        match self.make {
+            Make::Plain(make) => Ok(make(max_depth)),
+            Make::Prepared(make) => make(
+                scene,
+                &Settings {
+                    max_depth,
+                    ..*settings
+                },
+            ),
+        }
+    }
+
+    /// True where it looks at the scene before it answers: making it takes time, and it may refuse.
+    pub const fn is_prepared(&self) -> bool {
+        matches!(self.make, Make::Prepared(_))
     }
 
     /// The light it finds; `None` for pictures of something else.

@@ -11,7 +11,8 @@
 //! | [`WhichRay`] | the same | shadow rays, and one ray whose kind is chosen |
 //! | [`Combine`] | the same | both, weighted |
 //! | [`LightTracer`] | `L((D\|S\|G)*(D\|G))?E` | walks from the lights, connected to the eye |
-//! | [`Path`] | the same as `combine` | all of it: the one to use |
+//! | [`Radiosity`] | `LD*(S\|G)*E` | light solved on patches, looked at by one ray more |
+//! | [`Path`] | as `combine` | all of it: the one to use |
 //!
 //! The walks are written against [`world::World`] and run in flatland, too. No integrator is
 //! a flag of another one. They share the floors below, never each other's lines.
@@ -25,6 +26,7 @@ mod light_tracer;
 mod next_event;
 mod observer;
 mod path;
+mod prepare;
 mod roulette;
 mod tree;
 mod views;
@@ -32,6 +34,7 @@ mod which_ray;
 mod whitted;
 pub mod world;
 
+pub use crate::radiosity::Radiosity;
 pub use asked::{ENOUGH, RarelyAsked, rarely_asked};
 pub use combine::{Combine, Shares};
 pub use distributed::{Distributed, Integral};
@@ -41,6 +44,7 @@ pub use light_tracer::LightTracer;
 pub use next_event::NextEvent;
 pub use observer::{AllLight, FilteredPath, PathFilter, PathObserver};
 pub use path::Path;
+pub use prepare::{Refused, Settings, Watch};
 pub use roulette::{Roulette, Survival};
 pub use tree::{Met, RayKind, RecordedRay, TreeCount, TreeObserver, TreeRay, TreeRecord};
 pub use views::{Albedo, Depth, Normals};
@@ -49,9 +53,11 @@ pub use whitted::{Whitted, direct_light};
 
 use crate::color::Rgb;
 use crate::geometry::Ray;
+use crate::radiosity;
 use crate::sampling::stream::Stream;
 use crate::scene::Tracer;
 use crate::space::Solid;
+use glam::DVec3;
 
 /// Walks from the eye, in the order in which they are built up.
 pub const WALKS: [Entry; 7] = [
@@ -65,7 +71,7 @@ pub const WALKS: [Entry; 7] = [
 ];
 
 /// Integrators of light that find it in other ways.
-pub const OTHERS: [Entry; 1] = [LightTracer::ENTRY];
+pub const OTHERS: [Entry; 2] = [LightTracer::ENTRY, Radiosity::ENTRY];
 
 /// All integrators of light that one can ask for by name: [`WALKS`], then [`OTHERS`].
 pub const LADDER: [Entry; WALKS.len() + OTHERS.len()] = {
@@ -104,6 +110,17 @@ pub trait Integrator: Sync {
     fn light_paths(&self) -> Option<&dyn LightPaths> {
         None
     }
+
+    /// What it found out about the scene while it was made; `None` for those that did not look.
+    fn solved(&self) -> Option<&radiosity::Report> {
+        None
+    }
+
+    /// The same for the same scene in coordinates whose origin is `by` further, as another camera has
+    /// them; `None` where it holds no coordinates.
+    fn moved(&self, _by: DVec3) -> Option<Box<dyn Integrator>> {
+        None
+    }
 }
 
 /// Paths that start at the lights: each brings its light to pixels of its own.
@@ -124,6 +141,14 @@ impl<I: Integrator + ?Sized> Integrator for Box<I> {
 
     fn light_paths(&self) -> Option<&dyn LightPaths> {
         (**self).light_paths()
+    }
+
+    fn solved(&self) -> Option<&radiosity::Report> {
+        (**self).solved()
+    }
+
+    fn moved(&self, by: DVec3) -> Option<Box<dyn Integrator>> {
+        (**self).moved(by)
     }
 }
 

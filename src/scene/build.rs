@@ -124,6 +124,7 @@ pub(super) fn assemble(from: &Arc<MadeFrom>) -> Checked<Scene> {
     let emission_choice = EmissionChoice::new(&parts.lights, bvh.bounds().union(bounds));
     Ok(Scene {
         made_from: Arc::clone(from),
+        origin,
         name: said.name.clone(),
         about: said.about.clone(),
         camera,

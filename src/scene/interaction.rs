@@ -26,6 +26,9 @@ pub struct Interaction<'a> {
     pub emission: Rgb,
     /// The object it belongs to.
     pub object: &'a Object,
+    /// The number of its shape, as [`Scene::facets`](super::Scene::facets) counts; instances of one
+    /// mesh share numbers beyond all of these.
+    pub shape: u32,
 }
 
 /// A hit that nobody has looked at yet.
@@ -60,6 +63,7 @@ impl<'a> Interaction<'a> {
                 Rgb::BLACK
             },
             object,
+            shape: hit.shape,
         }
     }
 }

@@ -12,6 +12,7 @@ mod contacts;
 mod defaults;
 pub mod description;
 mod effects;
+mod facets;
 pub mod field;
 pub mod gallery;
 pub mod image_file;
@@ -35,6 +36,7 @@ pub mod value;
 
 pub use caustic_guide::{CausticGuide, GuideAt};
 pub use effects::{Effect, Effects, Inventory, Sky};
+pub use facets::Facet;
 pub use gallery::load;
 pub use interaction::Interaction;
 pub use mapping::{Corners, Mapping};
@@ -49,7 +51,7 @@ use crate::lights::{EmissionChoice, Light, LightChoice};
 use crate::materials::{Color, Material};
 use contacts::Contacts;
 use description::Description;
-use glam::Vec3;
+use glam::{DVec3, Vec3};
 use made_from::MadeFrom;
 use motion::TransformedShapes;
 use std::collections::BTreeMap;
@@ -93,6 +95,8 @@ pub struct Scene {
     /// What happened while the scene was built.
     pub report: BuildReport,
     made_from: Arc<MadeFrom>,
+    /// The camera's place in the world.
+    origin: DVec3,
     background: Rgb,
     kinds: u8,
     /// True where nothing shines and nobody need look.
@@ -134,6 +138,16 @@ impl Scene {
     pub fn changed(&self, change: impl FnOnce(&mut Description)) -> Result<Scene, SceneError> {
         let scene = self.made_from.as_ref().clone().build(change)?;
         Ok(scene.sized(self.size))
+    }
+
+    /// Where the origin of all coordinates is in those of the file: the camera's place.
+    pub fn origin(&self) -> DVec3 {
+        self.origin
+    }
+
+    /// The scene as the camera of another one sees it: an image of the same size.
+    pub fn with_camera_of(&self, other: &Scene) -> Result<Scene, SceneError> {
+        self.changed(|said| said.camera = other.made_from.description.camera.clone())
     }
 
     /// True where anything moves while the shutter is open.

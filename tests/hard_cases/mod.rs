@@ -68,6 +68,9 @@
 //! | A46 nothing | `film_and_input::a46_*`, `cli::bad_meshes::*` | |
 //! | A47 order | `structure::a47_*`, `determinism::*` | sums of parts differ |
 //! | A48 faint paths | `structure::a48_*` | a hundred times the rays |
+//! | A50 patches of any size | `patches::a50_rooms_of_*` | a fixed offset: half the pairs are hidden and more |
+//! | A50 patches far away, slivers | `patches::a50_*_far_*`, `patches::a50_slivers_*` | |
+//! | A50 patches that touch | `patches::a50_patches_*`, `radiosity::forms::*` | centre to centre: off by its own size |
 //! | A51 absent effects | `effects::bits::*` | a kernel without gloss |
 //! | A52 effects overlooked | `effects::bits::*` | |
 //! | any numbers | `properties::*`, `materials::limits::any_*`, `mutations::*` | a wrong tree is noticed |
@@ -80,6 +83,7 @@ mod instances;
 mod leaving;
 mod moving;
 mod naive;
+mod patches;
 mod properties;
 mod sampling;
 mod scattering;
@@ -87,10 +91,17 @@ mod structure;
 mod viewing;
 mod watertight;
 
+use halfdisk::integrators::{Entry, Integrator, Settings};
 use halfdisk::scene::Scene;
 use halfdisk::scene::description::Description;
 use halfdisk::scene::gallery;
 use halfdisk::scene::read::Source;
+
+/// The integrator for a scene, as usual.
+fn made(entry: &Entry, scene: &Scene, max_depth: u32) -> Box<dyn Integrator> {
+    let settings = Settings::new(max_depth);
+    entry.prepare(scene, &settings).expect("an integrator")
+}
 
 /// A scene of these objects and lights, seen from the origin along `z`.
 fn scene(text: &str) -> Scene {

@@ -1,6 +1,7 @@
 //! Frames, directions, weights, survival, and points that lie evenly.
 
 use super::draw::Draw;
+use super::made;
 use glam::{Vec2, Vec3};
 use halfdisk::color::Rgb;
 use halfdisk::integrators::Survival;
@@ -248,9 +249,7 @@ fn a26_lights_without_extent_are_found_by_aiming_alone() {
         let read: Estimate = (0..20_000)
             .map(|i| {
                 let mut tracer = Tracer::new(&lit);
-                let li = integrator
-                    .with(2)
-                    .li(&mut tracer, &ray, &Stream::new(26, 0, i));
+                let li = made(&integrator, &lit, 2).li(&mut tracer, &ray, &Stream::new(26, 0, i));
                 f64::from(li.g)
             })
             .collect();

@@ -1,6 +1,6 @@
 //! The same light, however the scene is put: scaled, turned, mirrored, doubled, cut in pieces.
 
-use super::{room_with, scene};
+use super::{made, room_with, scene};
 use crate::checks::between;
 use glam::DVec3;
 use halfdisk::geometry::Ray;
@@ -186,7 +186,7 @@ fn a48_paths_end_before_their_light_does() {
          sphere = { center = [0, 0, 0], radius = 1, inward = true }\n",
     );
     let rays = |integrator: Entry| {
-        let (name, integrator) = (integrator.name, integrator.with(1000));
+        let (name, integrator) = (integrator.name, made(&integrator, &dim, 1000));
         let mut tracer = Tracer::new(&dim);
         let mut sum = 0.0;
         for i in 0..1000 {

@@ -85,6 +85,11 @@ impl<P: Primitive> Bvh<P> {
         boxes.fold(Aabb::EMPTY, Aabb::union)
     }
 
+    /// The shapes, each with its index in the list the tree was built from, in no particular order.
+    pub fn shapes(&self) -> impl Iterator<Item = (u32, &P)> {
+        self.ids.iter().copied().zip(&self.shapes)
+    }
+
     /// The first crossing of the ray, at its moment; of several shapes at the same distance the one
     /// with the lowest id, whatever the order of the tree.
     pub fn first_hit(&self, ray: &Ray) -> Option<ClosestHit<'_, P>> {

@@ -1,6 +1,7 @@
 //! A progress bar with the time left, on stderr; silent where that is no terminal.
 
 use super::tell;
+use crate::integrators::Watch;
 use crate::render::Progress;
 use crate::render::stopping::{Pilot, Prediction, Reached};
 use indicatif::{ProgressBar, ProgressStyle};
@@ -42,6 +43,16 @@ impl Bar {
 impl Drop for Bar {
     fn drop(&mut self) {
         self.bar.finish_and_clear();
+    }
+}
+
+impl Watch for Bar {
+    fn tell(&self, done: u64, total: u64) {
+        Progress::tell(self, done, total);
+    }
+
+    fn stop(&self) -> bool {
+        Progress::stop(self)
     }
 }
 

@@ -16,9 +16,11 @@ pub use record::{Figure, Number, Record};
 pub use tell::{answer, tell};
 pub use whole::whole;
 
+use crate::integrators::Refused;
 use crate::lab::drawing::ChartError;
 use crate::lab::ledger::Ledger;
 use crate::output::{Display, OutputError, Provenance, can_save, png_bytes, save, write};
+use crate::radiosity::RadiosityError;
 use crate::render::Film;
 use crate::scene::{Scene, SceneError};
 use crate::stats::Estimate;
@@ -71,6 +73,12 @@ pub enum DeskError {
     /// A file could not be written.
     #[error("{0}: {1}")]
     File(String, std::io::Error),
+    /// An integrator refused its scene.
+    #[error(transparent)]
+    Refused(#[from] Refused),
+    /// Patches refused its scene.
+    #[error(transparent)]
+    Radiosity(#[from] RadiosityError),
     /// Something the chapter needs is not there.
     #[error("{0}")]
     Missing(String),

@@ -1,6 +1,6 @@
 //! The methods whose prices are compared: integrators, points, and a mistake.
 
-use crate::integrators::{Entry, LADDER, Path, WALKS};
+use crate::integrators::{Entry, LADDER, Path, Refused, Settings, WALKS};
 use crate::lab::mistakes::Clamped;
 use crate::render::{Options, Progress, Rendered, render};
 use crate::sampling::stream::Sampler;
@@ -28,6 +28,10 @@ const ENDLESS: u32 = 10_000;
 
 /// Where `clamped` cuts: at the white of a screen.
 pub const CLAMP: f32 = 1.0;
+
+/// Why a method that solves the scene beforehand has no price by samples.
+const OF_PATCHES: &str = "its error falls with its patches, not with its samples, and most of its time goes \
+                          before the first of them; chapter 15 compares it";
 
 /// The name of the method that others are compared with.
 pub const BASE: &str = Path::ENTRY.name;
@@ -77,6 +81,9 @@ impl Method {
 
     /// Why it cannot render `scene`; `None` where it can.
     pub fn cannot(&self, scene: &Scene) -> Option<&'static str> {
+        if self.integrator.is_prepared() {
+            return Some(OF_PATCHES);
+        }
         let points = self.integrator.finds()?.points;
         (points.paths.is_none() && scene.inventory.point_lights > 0).then_some(points.because)
     }
@@ -94,18 +101,25 @@ impl Method {
     }
 
     /// A picture of `scene`, on the threads of the current pool.
-    pub fn render(&self, scene: &Scene, spp: u32, seed: u64, progress: &impl Progress) -> Rendered {
+    pub fn render(
+        &self,
+        scene: &Scene,
+        spp: u32,
+        seed: u64,
+        progress: &impl Progress,
+    ) -> Result<Rendered, Refused> {
         let options = Options {
             spp,
             seed,
             sampler: self.sampler,
             ..Options::default()
         };
-        let inner = self.integrator.with(scene.suggested.max_depth);
-        match self.clamp {
+        let settings = Settings::new(scene.suggested.max_depth);
+        let inner = self.integrator.prepare(scene, &settings)?;
+        Ok(match self.clamp {
             Some(limit) => render(scene, &Clamped { inner, limit }, &options, progress),
             None => render(scene, &inner, &options, progress),
-        }
+        })
     }
 }
 

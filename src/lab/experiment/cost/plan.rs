@@ -80,7 +80,7 @@ pub(super) fn plan(
     // A first picture warms up what a first picture warms up.
     let mut spp = 1;
     let cost = loop {
-        let pilot = method.render(scene, spp, !design.seed, progress);
+        let pilot = method.render(scene, spp, !design.seed, progress).ok()?;
         if pilot.interrupted {
             return None;
         }

@@ -155,7 +155,7 @@ fn replicate(
             let mut pixels = None;
             for repeat in 0..repeats {
                 let seed = seed_of(design.seed, r, place([k, m, repeat as usize]));
-                let rendered = method.render(scene, samples, seed, watch);
+                let rendered = method.render(scene, samples, seed, watch).ok()?;
                 if rendered.interrupted {
                     return None;
                 }

@@ -37,7 +37,7 @@ pub fn show(
     seed: u64,
     progress: &impl Progress,
 ) -> Option<Shown> {
-    let rendered = method.render(scene, spp, seed, progress);
+    let rendered = method.render(scene, spp, seed, progress).ok()?;
     if rendered.interrupted {
         return None;
     }

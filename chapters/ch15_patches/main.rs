@@ -1,0 +1,49 @@
+//! Chapter 15: Patches.
+//!
+//! Question: must every pixel of every view ask for the light again, where the light of a diffuse room
+//! depends on no view? New here: `radiosity`, form factors, a linear system and its solvers. Simulates
+//! `LD*(S|G)*E`. Builds on: chapter 7 (the gather integral) and 14 (what accuracy costs).
+
+mod fight;
+mod forms;
+mod rates;
+mod room;
+mod shown;
+mod solvers;
+
+use halfdisk::lab::chapter::{Chapter, Desk, DeskError};
+use halfdisk::lab::ledger::Ledger;
+use std::process::ExitCode;
+
+const CHAPTER: Chapter = Chapter {
+    id: "ch15",
+    title: "Patches",
+    question: "A diffuse room looks the same from everywhere. Can its light be solved once, for all views?",
+};
+
+fn main() -> ExitCode {
+    Desk::run(&CHAPTER, work)
+}
+
+fn work(desk: &mut Desk) -> Result<Ledger, DeskError> {
+    // How much of each other two patches see.
+    forms::work(desk)?;
+
+    // The cube whose ceiling shines: errors, sweeps, shots.
+    rates::work(desk)?;
+    solvers::work(desk)?;
+
+    // The box with its blocks, as patches and gathered.
+    let drawn = shown::work(desk)?;
+
+    // Against paths.
+    let fight = fight::work(desk)?;
+
+    Ok(Ledger {
+        rays: drawn + fight,
+        ..Ledger::of(
+            "One system of equations holds the light of a diffuse room for every view. It costs the square \
+             of the patches in memory, and its error is that of the patches, which no sample takes away.",
+        )
+    })
+}

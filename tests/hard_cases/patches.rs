@@ -1,0 +1,170 @@
+//! A50: patches of any size, in any place, at any angle.
+
+use super::scene;
+use glam::{DVec3, Vec3};
+use halfdisk::geometry::Ray;
+use halfdisk::radiosity::{FormFactors, Patch, PatchSize, Patches, Solution};
+use halfdisk::scene::{Scene, Tracer};
+
+/// A room around `middle` with a lamp for a ceiling, seen from its middle unless `middle` is elsewhere.
+fn room(side: f64, middle: [f64; 3]) -> Scene {
+    let at = |p: [f64; 3]| [0, 1, 2].map(|i| middle[i] + side * (p[i] - 0.5));
+    let along = |v: [f64; 3]| v.map(|x| side * x);
+    let [x, y, z] = [[1., 0., 0.], [0., 1., 0.], [0., 0., 1.]];
+    let walls = [
+        ([0., 0., 0.], z, x),
+        ([0., 1., 0.], x, z),
+        ([0., 0., 0.], x, y),
+        ([0., 0., 1.], y, x),
+        ([0., 0., 0.], y, z),
+        ([1., 0., 0.], z, y),
+    ];
+    let mut text = String::new();
+    for (i, (corner, u, v)) in walls.into_iter().enumerate() {
+        let emits = if i == 1 { "emits = 1\n" } else { "" };
+        let [corner, u, v] = [at(corner), along(u), along(v)];
+        text += &format!(
+            "[[objects]]\nmaterial = 'half'\n{emits}quad = {{ corner = {corner:?}, u = {u:?}, v = {v:?} }}\n"
+        );
+    }
+    scene(&text)
+}
+
+fn reflected(scene: &Scene, length: f64) -> Vec<f64> {
+    let solution = Solution::new(scene, PatchSize::Length(length), &()).expect("a solution");
+    solution.reflected.iter().map(|of| of[0]).collect()
+}
+
+fn worst(a: &[f64], b: &[f64]) -> f64 {
+    assert_eq!(a.len(), b.len());
+    a.iter()
+        .zip(b)
+        .map(|(x, y)| (x - y).abs())
+        .fold(0.0, f64::max)
+}
+
+/// The share of pairs of patches that see each other, by a ray that starts a fixed 1e-3 off its patch.
+fn plainly_seen(scene: &Scene) -> f64 {
+    let size = PatchSize::Number(24);
+    let patches = Patches::new(scene, size).expect("patches").all;
+    let middle = |patch: &Patch| patch.polygon.iter().sum::<DVec3>() / 4.0;
+    let mut tracer = Tracer::new(scene);
+    let [mut seen, mut all] = [0, 0];
+    for a in &patches {
+        for b in patches.iter().filter(|b| b.normal != a.normal) {
+            let off = |patch: &Patch| (middle(patch) + patch.normal * 1e-3).as_vec3();
+            let (from, to): (Vec3, Vec3) = (off(a), off(b));
+            let ray = Ray {
+                t_max: 1.0,
+                ..Ray::new(from, to - from)
+            };
+            seen += u32::from(tracer.unoccluded(&ray));
+            all += 1;
+        }
+    }
+    f64::from(seen) / f64::from(all)
+}
+
+#[test]
+fn a50_rooms_of_any_size_have_the_same_light() {
+    let unit = reflected(&room(1.0, [0.0; 3]), 0.25);
+    let mut off = 0.0_f64;
+    for side in [1e-3, 1e-2, 0.3, 7.0, 1e3, 1e6] {
+        off = off.max(worst(&reflected(&room(side, [0.0; 3]), 0.25 * side), &unit));
+    }
+    let plain = [1.0, 1e-3].map(|side| plainly_seen(&room(side, [0.0; 3])));
+    println!(
+        "rooms of sides 1e-3 to 1e6 differ by {off:.0e}; a fixed offset of 1e-3 sees {:.0} % of the pairs \
+         in the unit room, {:.0} % in the smallest",
+        100.0 * plain[0],
+        100.0 * plain[1]
+    );
+    assert!(off < 1e-6, "{off:e}");
+    assert!(plain[0] == 1.0 && plain[1] < 0.5, "{plain:?}");
+}
+
+#[test]
+fn a50_rooms_far_from_the_eye_keep_their_light() {
+    let unit = reflected(&room(1.0, [0.0; 3]), 0.25);
+    let mut off = [0.0; 3];
+    for (off, far) in off.iter_mut().zip([1e2, 1e3, 1e4]) {
+        *off = worst(&reflected(&room(1.0, [far, -far, 0.3 * far]), 0.25), &unit);
+    }
+    println!("rooms 1e2, 1e3 and 1e4 away differ by {off:?}");
+    // Coordinates there are rounded to 4e-6, 3e-5 and 5e-4 of the room.
+    assert!(off[0] < 1e-4 && off[1] < 1e-3 && off[2] < 2e-2, "{off:?}");
+}
+
+#[test]
+fn a50_slivers_see_what_others_see() {
+    // The floor in strips, one of them a hundred-thousandth as wide as long.
+    let strip = |low: f64, high: f64| {
+        let corners = [[low, 0.], [low, 1.], [high, 1.], [high, 0.]];
+        let polygon = corners.map(|[x, z]| DVec3::new(x, 0.0, z)).to_vec();
+        Patch::new(polygon, [0.5; 3], [0.0; 3]).expect("an area")
+    };
+    let ceiling = [[0., 0.], [1., 0.], [1., 1.], [0., 1.]];
+    let ceiling = ceiling.map(|[x, z]| DVec3::new(x, 1.0, z)).to_vec();
+    let patches = [
+        strip(0.0, 0.4),
+        strip(0.4, 0.400_01),
+        strip(0.400_01, 1.0),
+        Patch::new(ceiling, [0.5; 3], [0.0; 3]).expect("an area"),
+    ];
+    let factors = FormFactors {
+        patches: &patches,
+        scene: None,
+        points: 16,
+    };
+    let whole = 0.199_824_895_7;
+    let of_ceiling: f64 = factors.row(3).iter().sum();
+    let weighted: f64 = (0..3).map(|i| patches[i].area * factors.row(i)[3]).sum();
+    assert!((of_ceiling - whole).abs() < 1e-9, "{of_ceiling}");
+    assert!((weighted - whole).abs() < 1e-9, "{weighted}");
+    let [there, back] = [factors.row(3)[1], patches[1].area * factors.row(1)[3]];
+    assert!((there / back - 1.0).abs() < 1e-6, "{there:e} {back:e}");
+}
+
+/// Two long strips of width 1 that share a long edge at an angle.
+fn wedge(angle: f64) -> [Patch; 2] {
+    let long = 100.0;
+    let (sin, cos) = libm::sincos(angle);
+    let strip = |x: f64, y: f64| {
+        let corners = [[0., 0., 0.], [0., 0., long], [x, y, long], [x, y, 0.]];
+        corners.map(DVec3::from).to_vec()
+    };
+    let mut leaning = strip(cos, sin);
+    leaning.reverse();
+    [strip(1.0, 0.0), leaning].map(|p| Patch::new(p, [0.5; 3], [0.0; 3]).expect("an area"))
+}
+
+#[test]
+fn a50_patches_touch_at_any_angle() {
+    let factor = |pair: &[Patch], points: usize| {
+        let factors = FormFactors {
+            patches: pair,
+            scene: None,
+            points,
+        };
+        factors.row(0)[1]
+    };
+    for angle in [0.01, 0.1, 1.0, 2.0, 3.0, std::f64::consts::PI - 0.01] {
+        let pair = wedge(angle);
+        // Hottel's strings, for strips without end; these have one, and see past it.
+        let exact = 1.0 - libm::sin(0.5 * angle);
+        let found = factor(&pair, 64);
+        assert!(
+            (found / exact - 1.0).abs() < 0.02,
+            "{angle}: {found:e} {exact:e}"
+        );
+        // The plain form: from centre to centre.
+        let middle = |patch: &Patch| patch.polygon.iter().sum::<DVec3>() / 4.0;
+        let way = middle(&pair[1]) - middle(&pair[0]);
+        let cosines = pair[0].normal.dot(way) * -pair[1].normal.dot(way);
+        let plain = cosines * pair[1].area / (std::f64::consts::PI * way.length_squared().powi(2));
+        println!(
+            "angle {angle:.2}: {found:.4e}, by strings {exact:.4e}, centre to centre {plain:.2e}"
+        );
+        assert!((plain / exact - 1.0).abs() > 1.0, "{angle}: {plain:e}");
+    }
+}
