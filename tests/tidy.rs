@@ -247,6 +247,12 @@ fn every_page_is_in_the_summary() {
 fn every_chapter_has_a_program_a_page_and_a_place_in_the_tour() {
     let manifest = fs::read_to_string(root().join("Cargo.toml")).unwrap();
     let tour = fs::read_to_string(root().join("src/cli/tour.rs")).unwrap();
+    let readme = fs::read_to_string(root().join("README.md")).unwrap();
+    let tests = fs::read_to_string(root().join("tests/chapters.rs")).unwrap();
+    let parts = files(&root().join("tests/chapters"), "rs");
+    let tests = parts
+        .iter()
+        .fold(tests, |all, path| all + &fs::read_to_string(path).unwrap());
     for entry in fs::read_dir(root().join("chapters")).unwrap() {
         let folder = entry.unwrap().file_name().into_string().unwrap();
         let program = folder.replace('_', "-");
@@ -260,6 +266,10 @@ fn every_chapter_has_a_program_a_page_and_a_place_in_the_tour() {
         );
         let page = root().join(format!("book/src/{program}.md"));
         assert!(page.exists(), "{} is missing", page.display());
+        let row = format!("(book/src/{program}.md)");
+        assert!(readme.contains(&row), "{program}: not in the README");
+        let run = format!("CARGO_BIN_EXE_{program}");
+        assert!(tests.contains(&run), "{program}: no test runs it");
     }
 }
 

@@ -109,6 +109,59 @@ impl Shape {
         }
     }
 
+    /// The corners of a shape with straight edges, in their order around it; none of others.
+    pub fn corners(&self) -> Vec<Vec3> {
+        match self {
+            Shape::Sphere(_) => Vec::new(),
+            Shape::Quad(q) => q.corners().to_vec(),
+            Shape::Triangle(t) => vec![t.a, t.b, t.c],
+        }
+    }
+
+    /// True where it lies in a plane, so that no part of it lights another.
+    pub fn is_flat(&self) -> bool {
+        match self {
+            Shape::Sphere(_) => false,
+            Shape::Quad(_) | Shape::Triangle(_) => true,
+        }
+    }
+
+    /// Its shortest edge, or its diameter, in scene units.
+    pub fn width(&self) -> f32 {
+        match self {
+            Shape::Sphere(s) => 2.0 * s.radius,
+            Shape::Quad(_) | Shape::Triangle(_) => {
+                let corners = self.corners();
+                let next = corners.iter().cycle().skip(1);
+                let edges = corners.iter().zip(next).map(|(a, b)| a.distance(*b));
+                edges.fold(f32::INFINITY, f32::min)
+            }
+        }
+    }
+
+    /// Numbers that no other shape has, from whichever corner it was told: its kind, and where it is.
+    pub fn key(&self) -> Vec<u32> {
+        let mut points = match self {
+            Shape::Sphere(s) => {
+                let inward = f32::from(u8::from(s.inward));
+                vec![s.center, Vec3::new(s.radius, inward, 0.0)]
+            }
+            Shape::Quad(_) | Shape::Triangle(_) => {
+                let mut corners = self.corners();
+                let first = (0..corners.len()).min_by(|&i, &j| {
+                    let [p, q] = [i, j].map(|at| corners[at].to_array().map(|x| x + 0.0));
+                    p.partial_cmp(&q).unwrap_or(std::cmp::Ordering::Equal)
+                });
+                corners.rotate_left(first.unwrap_or(0));
+                corners
+            }
+        };
+        points.insert(0, Vec3::X * points.len() as f32);
+        // Zeros of both signs are one place.
+        let bits = |p: &Vec3| p.to_array().map(|x| (x + 0.0).to_bits());
+        points.iter().flat_map(bits).collect()
+    }
+
     /// The smallest axis-aligned box that holds the shape.
     pub fn bounds(&self) -> Aabb {
         match self {

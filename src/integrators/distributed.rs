@@ -15,7 +15,7 @@
 use super::Integrator;
 use crate::color::Rgb;
 use crate::geometry::{Ray, Surface};
-use crate::materials::Bsdf;
+use crate::materials::{Bsdf, Event};
 use crate::sampling::stream::{Purpose, Stream};
 use crate::scene::{Interaction, Tracer};
 
@@ -84,11 +84,9 @@ impl Integral {
 
     /// The integral over the directions of a surface of this material.
     fn at(bsdf: &Bsdf) -> Integral {
-        match bsdf {
-            Bsdf::Glossy(_) | Bsdf::RoughGlass(_) | Bsdf::Custom(_) => Integral::Gloss,
-            Bsdf::Lambert(_) | Bsdf::Mixture(_) | Bsdf::Mirror(_) | Bsdf::Glass(_) => {
-                Integral::Hemisphere
-            }
+        match bsdf.smooth_event() {
+            Some(Event::Gloss) => Integral::Gloss,
+            _ => Integral::Hemisphere,
         }
     }
 }

@@ -151,7 +151,9 @@ impl Light {
             (Light::Mesh(l), Some(at)) => l.pdf(from, wi, at),
             (Light::Environment(l), None) => l.pdf(wi),
             (Light::Sky(l), None) => l.pdf(from, wi),
-            _ => 0.0,
+            (Light::Quad(_) | Light::Sphere(_) | Light::Triangle(_) | Light::Mesh(_), None)
+            | (Light::Environment(_) | Light::Sky(_), Some(_))
+            | (Light::Point(_) | Light::Directional(_) | Light::Custom(_), _) => 0.0,
         }
     }
 

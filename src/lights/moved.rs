@@ -36,7 +36,16 @@ impl Light {
             (Light::Sphere(l), Some(at)) => l.moved(by).pdf(from, wi, at),
             (Light::Triangle(l), Some(at)) => l.moved(by).pdf(from, wi, at),
             // The density of a mesh depends on its area and the point, and on no place of its own.
-            _ => self.pdf(from, wi, at),
+            (Light::Mesh(_), Some(_))
+            | (Light::Quad(_) | Light::Sphere(_) | Light::Triangle(_) | Light::Mesh(_), None)
+            | (
+                Light::Point(_)
+                | Light::Directional(_)
+                | Light::Environment(_)
+                | Light::Sky(_)
+                | Light::Custom(_),
+                _,
+            ) => self.pdf(from, wi, at),
         }
     }
 }

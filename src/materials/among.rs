@@ -38,7 +38,12 @@ impl<const KINDS: u8> Among<'_, KINDS> {
             Bsdf::RoughGlass(m) if Self::GLOSS => m.f(wo, wi),
             Bsdf::Mixture(m) if Self::SPECULAR => m.f(wo, wi),
             Bsdf::Custom(m) if Self::CUSTOM => m.f(wo, wi),
-            _ => Rgb::BLACK,
+            Bsdf::Mirror(_)
+            | Bsdf::Glass(_)
+            | Bsdf::Glossy(_)
+            | Bsdf::RoughGlass(_)
+            | Bsdf::Mixture(_)
+            | Bsdf::Custom(_) => Rgb::BLACK,
         }
     }
 
@@ -53,7 +58,12 @@ impl<const KINDS: u8> Among<'_, KINDS> {
             Bsdf::RoughGlass(m) if Self::GLOSS => m.scatter(wo, choice, u),
             Bsdf::Mixture(m) if Self::SPECULAR => m.scatter(wo, choice, u),
             Bsdf::Custom(m) if Self::CUSTOM => custom(*m, wo, choice, u),
-            _ => None,
+            Bsdf::Mirror(_)
+            | Bsdf::Glass(_)
+            | Bsdf::Glossy(_)
+            | Bsdf::RoughGlass(_)
+            | Bsdf::Mixture(_)
+            | Bsdf::Custom(_) => None,
         }
     }
 
@@ -66,7 +76,12 @@ impl<const KINDS: u8> Among<'_, KINDS> {
             Bsdf::RoughGlass(m) if Self::GLOSS => m.pdf(wo, wi),
             Bsdf::Mixture(m) if Self::SPECULAR => m.pdf(wo, wi),
             Bsdf::Custom(m) if Self::CUSTOM => m.pdf(wo, wi),
-            _ => 0.0,
+            Bsdf::Mirror(_)
+            | Bsdf::Glass(_)
+            | Bsdf::Glossy(_)
+            | Bsdf::RoughGlass(_)
+            | Bsdf::Mixture(_)
+            | Bsdf::Custom(_) => 0.0,
         }
     }
 
@@ -78,7 +93,12 @@ impl<const KINDS: u8> Among<'_, KINDS> {
             Bsdf::Glossy(_) | Bsdf::RoughGlass(_) if Self::GLOSS => Some(Event::Gloss),
             Bsdf::Mixture(m) if Self::SPECULAR => (!m.kd.is_black()).then_some(Event::Diffuse),
             Bsdf::Custom(m) if Self::CUSTOM => Some(m.event()),
-            _ => None,
+            Bsdf::Mirror(_)
+            | Bsdf::Glass(_)
+            | Bsdf::Glossy(_)
+            | Bsdf::RoughGlass(_)
+            | Bsdf::Mixture(_)
+            | Bsdf::Custom(_) => None,
         }
     }
 }

@@ -198,13 +198,33 @@ impl<'a> Bsdf<'a> {
         self.smooth_event().is_some()
     }
 
+    /// True where some light goes through perfectly specular directions.
+    pub fn is_specular(&self) -> bool {
+        match self {
+            Bsdf::Mirror(_) | Bsdf::Glass(_) => true,
+            Bsdf::Mixture(m) => !(m.ks + m.kt).is_black(),
+            Bsdf::Lambert(_) | Bsdf::Glossy(_) | Bsdf::RoughGlass(_) | Bsdf::Custom(_) => false,
+        }
+    }
+
+    /// True where light enters what lies behind the surface.
+    pub fn refracts(&self) -> bool {
+        match self {
+            Bsdf::Glass(_) | Bsdf::RoughGlass(_) => true,
+            Bsdf::Mixture(m) => !m.kt.is_black(),
+            Bsdf::Lambert(_) | Bsdf::Mirror(_) | Bsdf::Glossy(_) | Bsdf::Custom(_) => false,
+        }
+    }
+
     /// The perfectly specular directions and their weights.
     pub fn specular(&self, wo: Vec3) -> Specular {
         match self {
             Bsdf::Mirror(m) => m.specular(wo),
             Bsdf::Glass(m) => m.specular(wo),
             Bsdf::Mixture(m) => m.specular(wo),
-            _ => Specular::default(),
+            Bsdf::Lambert(_) | Bsdf::Glossy(_) | Bsdf::RoughGlass(_) | Bsdf::Custom(_) => {
+                Specular::default()
+            }
         }
     }
 

@@ -13,13 +13,10 @@ impl Scene {
         let mut emission = self.background.max_channel();
         for light in &self.lights {
             match light {
-                Light::Point(_) | Light::Directional(_) | Light::Custom(_) => return None,
+                light if light.is_delta() => return None,
                 Light::Environment(image) => emission = emission.max(image.brightest()),
-                Light::Sphere(_)
-                | Light::Quad(_)
-                | Light::Triangle(_)
-                | Light::Mesh(_)
-                | Light::Sky(_) => {}
+                // Those that rays hit are emission of objects, or of what is beyond.
+                _ => {}
             }
         }
         let mut albedo = 0.0_f32;

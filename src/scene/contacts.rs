@@ -11,7 +11,7 @@
 
 use super::Object;
 use super::interaction::Hit;
-use crate::geometry::{Aabb, Intersection, PreparedRay, Ray, Shape, Surface, Triangle};
+use crate::geometry::{Aabb, Intersection, PreparedRay, Ray, Shape, Surface};
 use glam::{DVec3, Vec3};
 
 /// Surfaces so near to a lamp, as a share of the scene's diameter, are looked at closely: far more
@@ -323,11 +323,7 @@ fn level(corners: &[DVec3], shape: &Shape, near: f64) -> bool {
 }
 
 fn corners(shape: &Shape) -> Vec<DVec3> {
-    match shape {
-        Shape::Quad(quad) => quad.corners().map(Vec3::as_dvec3).to_vec(),
-        Shape::Triangle(Triangle { a, b, c }) => [a, b, c].map(|p| p.as_dvec3()).to_vec(),
-        Shape::Sphere(_) => Vec::new(),
-    }
+    shape.corners().into_iter().map(Vec3::as_dvec3).collect()
 }
 
 fn normal(polygon: &[DVec3]) -> DVec3 {

@@ -139,19 +139,14 @@ impl Inventory {
             return;
         }
         self.scattering += 1;
-        let flat = matches!(shapes, [Shape::Quad(_) | Shape::Triangle(_)]);
+        let flat = matches!(shapes, [shape] if shape.is_flat());
         self.flat += usize::from(flat);
-        match material {
-            Bsdf::Lambert(_) => self.diffuse += 1,
-            Bsdf::Mirror(_) | Bsdf::Glass(_) => self.specular += 1,
-            Bsdf::Glossy(_) | Bsdf::RoughGlass(_) => self.glossy += 1,
-            Bsdf::Custom(m) if m.event() == Event::Diffuse => self.diffuse += 1,
-            Bsdf::Custom(_) => self.glossy += 1,
-            Bsdf::Mixture(m) => {
-                self.diffuse += usize::from(!m.kd.is_black());
-                self.specular += usize::from(!(m.ks + m.kt).is_black());
-            }
+        match material.smooth_event() {
+            Some(Event::Diffuse) => self.diffuse += 1,
+            Some(_) => self.glossy += 1,
+            None => {}
         }
+        self.specular += usize::from(material.is_specular());
     }
 
     /// True where anything scatters light in more than single directions.

@@ -8,7 +8,7 @@ use super::parts::{Parts, alone};
 use super::value::{Finite, Positive, Radiance};
 use super::{Mapping, Object};
 use crate::color::Rgb;
-use crate::geometry::{Instance, Shape, SharedMesh};
+use crate::geometry::{Instance, Primitive, Shape, SharedMesh};
 use crate::lights::{
     DirectionalLight, EnvironmentLight, Light, MeshLight, PlacedLight, PointLight, QuadLight,
     SphereLight, TriangleLight,
@@ -122,51 +122,38 @@ impl Emission {
     /// The light of one shape, or of some triangles; `None` where these have no area.
     fn light(&self, shapes: &[Shape]) -> Option<Light> {
         let (radiance, two_sided) = (self.radiance.brightest(), self.two_sided);
-        Some(match *shapes {
-            [Shape::Sphere(sphere)] => Light::Sphere(SphereLight { sphere, radiance }),
-            [Shape::Triangle(triangle)] => Light::Triangle(TriangleLight {
+        let mesh = |triangles| {
+            let light = MeshLight::new(triangles, radiance)?;
+            Some(Light::Mesh(if two_sided {
+                light.two_sided()
+            } else {
+                light
+            }))
+        };
+        let &[shape] = shapes else {
+            return mesh(shapes.iter().filter_map(Shape::still_triangle).collect());
+        };
+        Some(match shape {
+            Shape::Sphere(sphere) => Light::Sphere(SphereLight { sphere, radiance }),
+            Shape::Triangle(triangle) => Light::Triangle(TriangleLight {
                 triangle,
                 radiance,
                 two_sided,
             }),
-            [Shape::Quad(quad)] => {
+            Shape::Quad(quad) => {
                 let light = QuadLight::new(quad, radiance);
                 Light::Quad(if two_sided { light.two_sided() } else { light })
-            }
-            _ => {
-                let triangles = shapes.iter().filter_map(|shape| match shape {
-                    Shape::Triangle(triangle) => Some(*triangle),
-                    Shape::Quad(_) | Shape::Sphere(_) => None,
-                });
-                let light = MeshLight::new(triangles.collect(), radiance)?;
-                Light::Mesh(if two_sided { light.two_sided() } else { light })
             }
         })
     }
 }
 
-/// The bits of where a shape is and moves to, and whether both sides shine; from whichever corner it
-/// was told.
+/// What tells a lamp from all others: where its shape is and moves to, and whether both sides shine.
 fn place_of(shape: &Shape, span: Vec3, two_sided: bool) -> Vec<u32> {
-    let mut points = match shape {
-        Shape::Sphere(s) => vec![
-            s.center,
-            Vec3::new(s.radius, f32::from(u8::from(s.inward)), 0.0),
-        ],
-        Shape::Quad(q) => q.corners().to_vec(),
-        Shape::Triangle(t) => vec![t.a, t.b, t.c],
-    };
-    if !matches!(shape, Shape::Sphere(_)) {
-        let first = (0..points.len()).min_by(|&i, &j| {
-            let [p, q] = [i, j].map(|at| points[at].to_array().map(|x| x + 0.0));
-            p.partial_cmp(&q).unwrap_or(std::cmp::Ordering::Equal)
-        });
-        points.rotate_left(first.unwrap_or(0));
-    }
-    points.extend([span, Vec3::X * f32::from(u8::from(two_sided))]);
-    // Zeros of both signs are one place.
-    let bits = |p: &Vec3| p.to_array().map(|x| (x + 0.0).to_bits());
-    points.iter().flat_map(bits).collect()
+    let mut key = shape.key();
+    key.extend(span.to_array().map(|x| (x + 0.0).to_bits()));
+    key.push(u32::from(two_sided));
+    key
 }
 
 /// Pixels an environment may have: each takes 20 bytes.

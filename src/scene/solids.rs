@@ -2,27 +2,8 @@
 
 use super::Object;
 use crate::geometry::{Aabb, Shape};
-use crate::materials::{Bsdf, Material};
 use glam::{DVec2, DVec3, Vec3, Vec3Swizzles};
 use std::collections::HashMap;
-
-/// True where light enters what lies behind the surface.
-pub(super) fn refracts(material: &Material) -> bool {
-    match material.brightest() {
-        Bsdf::Glass(_) | Bsdf::RoughGlass(_) => true,
-        Bsdf::Mixture(mixture) => !mixture.kt.is_black(),
-        Bsdf::Lambert(_) | Bsdf::Mirror(_) | Bsdf::Glossy(_) | Bsdf::Custom(_) => false,
-    }
-}
-
-/// The corners of a shape with edges.
-fn corners(shape: &Shape) -> Vec<Vec3> {
-    match shape {
-        Shape::Quad(q) => q.corners().to_vec(),
-        Shape::Triangle(t) => vec![t.a, t.b, t.c],
-        Shape::Sphere(_) => Vec::new(),
-    }
-}
 
 /// The bits of a point; zeros of both signs are one place.
 fn place(p: Vec3) -> [u32; 3] {
@@ -42,7 +23,7 @@ struct Piece {
 /// True where a closed piece of some faces looks inwards and lies in no other, whose cavity it may
 /// be.
 pub(super) fn inside_out(shapes: &[Shape]) -> bool {
-    let faces: Vec<Vec<Vec3>> = shapes.iter().map(corners).collect();
+    let faces: Vec<Vec<Vec3>> = shapes.iter().map(Shape::corners).collect();
     let mut numbers = HashMap::new();
     let mut parent: Vec<usize> = Vec::new();
     let mut ids: Vec<Vec<usize>> = Vec::new();
@@ -118,7 +99,7 @@ const MOST_PAIRS: usize = 1 << 21;
 
 impl Face {
     fn new(shape: &Shape) -> Self {
-        let corners: Vec<DVec3> = corners(shape).iter().map(|c| c.as_dvec3()).collect();
+        let corners: Vec<DVec3> = shape.corners().iter().map(|c| c.as_dvec3()).collect();
         let normal = match corners.as_slice() {
             &[a, b, c, ..] => (b - a).cross(c - a).normalize_or_zero(),
             _ => DVec3::ZERO,
@@ -130,7 +111,7 @@ impl Face {
             normal,
             sphere: match shape {
                 Shape::Sphere(s) => Some((s.center.as_dvec3(), f64::from(s.radius))),
-                Shape::Quad(_) | Shape::Triangle(_) => None,
+                _ => None,
             },
             bounds,
             close: STEPS * f64::from(largest.next_up() - largest),
@@ -204,7 +185,7 @@ pub(super) fn touching(all: &[(Shape, u32)], objects: &[Object], spans: &[Vec3])
         let (its, others) = rest.split_at(count);
         rest = others;
         let material = objects[*object as usize].material.as_ref();
-        if material.is_some_and(refracts) {
+        if material.is_some_and(|m| m.brightest().refracts()) {
             if has_twins(its) {
                 found.push([*object; 2]);
             }
@@ -227,7 +208,7 @@ fn has_twins(shapes: &[(Shape, u32)]) -> bool {
     let mut seen = std::collections::HashSet::new();
     let faces = shapes
         .iter()
-        .map(|(shape, _)| corners(shape))
+        .map(|(shape, _)| shape.corners())
         .filter(|c| !c.is_empty());
     faces.into_iter().any(|face| {
         let mut key: Vec<[u32; 3]> = face.into_iter().map(place).collect();

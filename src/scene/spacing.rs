@@ -86,7 +86,7 @@ pub(super) fn coarse<'a>(shapes: impl Iterator<Item = &'a Shape>) -> Option<Coar
     };
     for shape in shapes {
         let step = step_at(shape);
-        if size(shape) < STEPS * step {
+        if shape.width() < STEPS * step {
             found.shapes += 1;
             found.step = found.step.max(step);
         }
@@ -105,17 +105,4 @@ fn step_at(shape: &Shape) -> f32 {
         }
     };
     extent.next_up() - extent
-}
-
-fn size(shape: &Shape) -> f32 {
-    let shortest = |corners: &[Vec3]| {
-        let next = corners.iter().cycle().skip(1);
-        let edges = corners.iter().zip(next).map(|(a, b)| a.distance(*b));
-        edges.fold(f32::INFINITY, f32::min)
-    };
-    match shape {
-        Shape::Sphere(s) => 2.0 * s.radius,
-        Shape::Quad(q) => shortest(&q.corners()),
-        Shape::Triangle(t) => shortest(&[t.a, t.b, t.c]),
-    }
 }

@@ -52,7 +52,7 @@ impl Parts<'_> {
         shines: bool,
         shapes: &[Shape],
     ) {
-        let has_inside = material.is_some_and(solids::refracts);
+        let has_inside = material.is_some_and(|m| m.brightest().refracts());
         if (has_inside || shines) && solids::inside_out(shapes) {
             let what = if has_inside {
                 "what it is made of lies outside"
