@@ -25,13 +25,16 @@ pub struct Entry {
     pub is_endless: bool,
 }
 
+/// Makes an integrator for a scene, or refuses.
+pub(crate) type MakePrepared = fn(&Scene, &Settings) -> Result<Box<dyn Integrator>, Refused>;
+
 /// How an integrator is made.
 #[derive(Clone, Copy, Debug)]
 pub(crate) enum Make {
     /// From the longest path that it follows, in segments.
     Plain(fn(max_depth: u32) -> Box<dyn Integrator>),
     /// From the scene.
-    Prepared(fn(&Scene, &Settings) -> Result<Box<dyn Integrator>, Refused>),
+    Prepared(MakePrepared),
 }
 
 /// What the pictures of an integrator show.
@@ -117,7 +120,7 @@ impl Entry {
     pub(crate) const fn of_solved_light(
         names: [&'static str; 3],
         finds: Finds,
-        make: fn(&Scene, &Settings) -> Result<Box<dyn Integrator>, Refused>,
+        make: MakePrepared,
     ) -> Entry {
         Entry::new(names, finds, Make::Prepared(make))
     }

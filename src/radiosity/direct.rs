@@ -9,7 +9,7 @@ use crate::scene::{Scene, Tracer};
 use std::f64::consts::FRAC_1_PI;
 
 /// Seed of the points on lights: the same in every picture.
-const SEED: u64 = 0x6c61_6d70_73;
+const SEED: u64 = 0x006c_616d_7073;
 /// Points along each side of a patch.
 const POINTS: usize = 3;
 /// Points drawn on a light with extent for each of those.

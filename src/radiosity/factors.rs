@@ -23,7 +23,7 @@ use rayon::prelude::*;
 use std::sync::atomic::{AtomicU64, Ordering};
 
 /// Seed of the points that shadow rays aim at: the same in every picture.
-const SEED: u64 = 0x7061_7463_6865_73;
+const SEED: u64 = 0x0070_6174_6368_6573;
 
 /// Form factors of patches in their scene.
 #[derive(Clone, Copy, Debug)]

@@ -111,6 +111,18 @@ impl Patches {
     /// The patches of `scene`.
     pub fn new(scene: &Scene, size: PatchSize) -> Result<Patches, RadiosityError> {
         let sides = sides(scene)?;
+        // Before any work that takes the square of their number.
+        let least = sides.iter().filter(|side| side.counts).count();
+        match size {
+            PatchSize::Number(asked) if asked < least => {
+                return Err(RadiosityError::TooFew { asked, least });
+            }
+            _ if sides.len() > MOST_PATCHES => {
+                let patches = sides.len();
+                return Err(RadiosityError::TooMany { patches });
+            }
+            _ => {}
+        }
         let cut = touched(&sides);
         match size {
             PatchSize::Length(length) => Patches::of_length(&sides, &cut, length),

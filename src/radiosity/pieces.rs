@@ -145,9 +145,10 @@ impl Pieces {
 fn halving(polygon: &[DVec3], normal: DVec3, size: f64) -> Option<Line> {
     let edge = |i: usize| polygon[(i + 1) % polygon.len()] - polygon[i];
     let lengths = (0..polygon.len()).map(|i| edge(i).length());
-    // The first of the longest: later ones must be longer by more than rounding.
+    // The first of the longest: later ones must be longer by more than rounding far from the origin, so
+    // that the same shape elsewhere is cut in the same order.
     let (longest, length) = lengths.enumerate().fold((0, 0.0), |best, (i, l)| {
-        if l > best.1 * (1.0 + 1e-9) {
+        if l > best.1 * (1.0 + 1e-3) {
             (i, l)
         } else {
             best

@@ -32,7 +32,13 @@ fn room(side: f64, middle: [f64; 3]) -> Scene {
 
 fn reflected(scene: &Scene, length: f64) -> Vec<f64> {
     let solution = Solution::new(scene, PatchSize::Length(length), &()).expect("a solution");
-    solution.reflected.iter().map(|of| of[0]).collect()
+    let reflected: Vec<f64> = solution.reflected.iter().map(|of| of[0]).collect();
+    let bright = |x: &f64| (0.05..0.5).contains(x);
+    assert!(
+        reflected.len() == 96 && reflected.iter().all(bright),
+        "{reflected:?}"
+    );
+    reflected
 }
 
 fn worst(a: &[f64], b: &[f64]) -> f64 {
@@ -70,7 +76,8 @@ fn a50_rooms_of_any_size_have_the_same_light() {
     let unit = reflected(&room(1.0, [0.0; 3]), 0.25);
     let mut off = 0.0_f64;
     for side in [1e-3, 1e-2, 0.3, 7.0, 1e3, 1e6] {
-        off = off.max(worst(&reflected(&room(side, [0.0; 3]), 0.25 * side), &unit));
+        let aside = [0.1, -0.23, 0.07].map(|x| x * side);
+        off = off.max(worst(&reflected(&room(side, aside), 0.25 * side), &unit));
     }
     let plain = [1.0, 1e-3].map(|side| plainly_seen(&room(side, [0.0; 3])));
     println!(
@@ -79,19 +86,26 @@ fn a50_rooms_of_any_size_have_the_same_light() {
         100.0 * plain[0],
         100.0 * plain[1]
     );
-    assert!(off < 1e-6, "{off:e}");
+    assert!(off > 0.0 && off < 1e-5, "{off:e}");
     assert!(plain[0] == 1.0 && plain[1] < 0.5, "{plain:?}");
 }
 
 #[test]
 fn a50_rooms_far_from_the_eye_keep_their_light() {
-    let unit = reflected(&room(1.0, [0.0; 3]), 0.25);
+    let unit = reflected(&room(0.7, [0.0; 3]), 0.175);
     let mut off = [0.0; 3];
     for (off, far) in off.iter_mut().zip([1e2, 1e3, 1e4]) {
-        *off = worst(&reflected(&room(1.0, [far, -far, 0.3 * far]), 0.25), &unit);
+        *off = worst(
+            &reflected(
+                &room(0.7, [1.0037 * far, -far * 1.0071, 0.3013 * far]),
+                0.25,
+            ),
+            &unit,
+        );
     }
     println!("rooms 1e2, 1e3 and 1e4 away differ by {off:?}");
-    // Coordinates there are rounded to 4e-6, 3e-5 and 5e-4 of the room.
+    // A side that is no power of two, or all corners would be rounded alike. Coordinates there are rounded
+    // to 4e-6, 3e-5 and 5e-4.
     assert!(off[0] < 1e-4 && off[1] < 1e-3 && off[2] < 2e-2, "{off:?}");
 }
 
@@ -152,9 +166,9 @@ fn a50_patches_touch_at_any_angle() {
         let pair = wedge(angle);
         // Hottel's strings, for strips without end; these have one, and see past it.
         let exact = 1.0 - libm::sin(0.5 * angle);
-        let found = factor(&pair, 64);
+        let found = factor(&pair, 128);
         assert!(
-            (found / exact - 1.0).abs() < 0.02,
+            (found / exact - 1.0).abs() < 0.03,
             "{angle}: {found:e} {exact:e}"
         );
         // The plain form: from centre to centre.

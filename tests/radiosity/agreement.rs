@@ -43,9 +43,9 @@ fn mean(scene: &Scene, by: &impl Integrator, spp: u32, seed: u64) -> (f64, f64) 
 #[test]
 fn five_rooms_look_alike_by_four_integrators() {
     for (name, scene) in scenes() {
-        let path = mean(&scene, &Path::new(60), 400, 1);
-        let walk = mean(&scene, &Kajiya { max_depth: 60 }, 400, 2);
-        let patches = Radiosity::new(&scene, 60, PatchSize::Number(900), &()).expect("patches");
+        let path = mean(&scene, &Path::new(60), 196, 1);
+        let walk = mean(&scene, &Kajiya { max_depth: 60 }, 196, 2);
+        let patches = Radiosity::new(&scene, 60, PatchSize::Number(500), &()).expect("patches");
         let report = *patches.solved().expect("a report");
         let mesh = report.mesh_error.expect("an error of the mesh");
         let found = mean(&scene, &patches, 200, 3);
@@ -69,7 +69,7 @@ fn five_rooms_look_alike_by_four_integrators() {
         assert!(off < allowed(error), "{name}: {path:?} {found:?}");
         assert!(mesh < 0.12, "{name}: {mesh}");
         // The mistake: without the light that patches hold.
-        let dark = mean(&scene, &Path::new(2), 400, 4);
+        let dark = mean(&scene, &Path::new(2), 196, 4);
         let (off, error) = apart(dark, found);
         assert!(off > 2.0 * allowed(error), "{name}: {dark:?} {found:?}");
     }
