@@ -98,7 +98,7 @@ fn a50_rooms_far_from_the_eye_keep_their_light() {
         *off = worst(
             &reflected(
                 &room(0.7, [1.0037 * far, -far * 1.0071, 0.3013 * far]),
-                0.25,
+                0.175,
             ),
             &unit,
         );
