@@ -34,7 +34,7 @@ impl Room {
     pub fn new(side: u32) -> Result<Room, RadiosityError> {
         let mut patches = Vec::new();
         for (wall, edges) in WALLS.iter().enumerate() {
-            let [corner, u, v] = edges.map(|e| DVec3::from(e));
+            let [corner, u, v] = edges.map(DVec3::from);
             let [u, v] = [u, v].map(|edge| edge / f64::from(side));
             for k in 0..side * side {
                 let at = corner + u * f64::from(k % side) + v * f64::from(k / side);

@@ -14,7 +14,7 @@ use std::collections::BTreeMap;
 /// How small patches are.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum PatchSize {
-    /// No edge is longer than this, in scene units.
+    /// No edge is longer than this, in scene units, by more than a thousandth.
     Length(f64),
     /// So many at most, all about equally large.
     Number(usize),

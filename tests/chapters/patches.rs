@@ -17,6 +17,6 @@ fn ch15_patches() {
     assert!((-1.5..-0.85).contains(&value("slope_gathered")));
     assert!(value("jacobi") <= 0.5 + 1e-9);
     assert_eq!(value("rows"), 1.0);
-    // Metal leaves more than the patches of the same size do.
-    assert!(value("stays_metal") > 1.3 * value("stays_blocks"));
+    // What the metal would send on is missing.
+    assert!(value("stays_metal") > 4.0);
 }

@@ -34,7 +34,13 @@ pub fn form_factor(i: &Rectangle, j: &Rectangle) -> f64 {
 /// Sixteen combinations of ends, with a sign each.
 fn over_ends(term: impl Fn([usize; 4]) -> f64) -> f64 {
     let bits = |k: usize| [k & 1, k >> 1 & 1, k >> 2 & 1, k >> 3 & 1];
-    let sign = |k: usize| if k.count_ones() % 2 == 0 { 1.0 } else { -1.0 };
+    let sign = |k: usize| {
+        if k.count_ones().is_multiple_of(2) {
+            1.0
+        } else {
+            -1.0
+        }
+    };
     (0..16).map(|k| sign(k) * term(bits(k))).sum()
 }
 

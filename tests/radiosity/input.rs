@@ -3,7 +3,7 @@
 use super::{CUBE, scene};
 use glam::DVec3;
 use halfdisk::integrators::{Radiosity, Settings, Watch};
-use halfdisk::radiosity::{MOST_PATCHES, Patch, PatchSize, Patches, RadiosityError, Solution};
+use halfdisk::radiosity::{Patch, PatchSize, Patches, RadiosityError, Solution};
 
 fn refused(text: &str, size: PatchSize) -> String {
     match Solution::new(&scene(text), size, &()) {
@@ -52,7 +52,7 @@ fn what_has_no_patches_is_refused_with_a_reason() {
 
 #[test]
 fn degenerate_patches_are_refused() {
-    let line = [0.0, 1.0, 3.0].map(|x| DVec3::splat(x)).to_vec();
+    let line = [0.0, 1.0, 3.0].map(DVec3::splat).to_vec();
     let nan = vec![DVec3::ZERO, DVec3::X, DVec3::new(0.0, f64::NAN, 0.0)];
     for polygon in [line, nan, vec![DVec3::ZERO], Vec::new()] {
         let made = Patch::new(polygon, [0.5; 3], [0.0; 3]);
@@ -81,7 +81,6 @@ fn the_number_of_patches_is_at_most_what_was_asked_for() {
             .len();
         assert!(found <= number && 3 * found > number, "{number}: {found}");
     }
-    assert!(MOST_PATCHES > 10_000);
 }
 
 /// Someone who stops at once.

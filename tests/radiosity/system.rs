@@ -88,8 +88,7 @@ fn s0_06_two_plates_bleed() {
         factors: Matrix::new(2, vec![0.0, f, f, 0.0]),
     };
     let solved = system.gauss_seidel(1e-16).radiance;
-    for c in 0..3 {
-        let rho = system.albedo[0][c];
+    for (c, rho) in system.albedo[0].into_iter().enumerate() {
         let second = 0.5 * f / (1.0 - rho * 0.5 * f * f);
         assert!((solved[1][c] - second).abs() < 1e-15);
         assert!((solved[0][c] - (1.0 + rho * f * second)).abs() < 1e-15);
