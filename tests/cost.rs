@@ -140,8 +140,10 @@ fn walks_that_meet_lamps_by_chance_are_left_out_where_lamps_have_no_extent() {
         .filter(|m| m.cannot(&scene).is_some())
         .map(|m| m.name)
         .collect();
-    assert_eq!(cannot, ["kajiya", "roulette"]);
-    assert!(ALL.iter().all(|m| m.cannot(&small("cornell")).is_none()));
+    // Light solved beforehand has no price by samples, in whatever scene.
+    assert_eq!(cannot, ["kajiya", "roulette", "radiosity"]);
+    let cannot = ALL.iter().filter(|m| m.cannot(&small("cornell")).is_some());
+    assert!(cannot.map(|m| m.name).eq(["radiosity"]));
 }
 
 /// Stops after it was told so often that something is done.

@@ -2,11 +2,13 @@
 //! is asked for what it may not have.
 
 use halfdisk::flatland::{build as flat_build, description as flat};
+use halfdisk::integrators::Refused;
 use halfdisk::lab::chapter::DeskError;
 use halfdisk::lab::drawing::ChartError;
 use halfdisk::lab::experiment::cost::Nothing;
 use halfdisk::notation::ExpressionError;
 use halfdisk::output::OutputError;
+use halfdisk::radiosity::RadiosityError;
 use halfdisk::render::stopping::Unfinished;
 use halfdisk::scene::build::build;
 use halfdisk::scene::description::{Description, Environment, Light, Material, Object, Rotation};
@@ -44,7 +46,8 @@ fn each_source(folder: &Path, see: &mut impl FnMut(&str, &str)) {
 #[test]
 fn each_public_error_is_an_error_that_threads_may_pass_on() {
     let named = errors![
-        ChartError DeskError ExpressionError Insufficient Nothing OutputError Problem SceneError Unfinished
+        ChartError DeskError ExpressionError Insufficient Nothing OutputError Problem RadiosityError Refused SceneError
+        Unfinished
     ];
     let mut found = Vec::new();
     each_source(Path::new(""), &mut |file, text| {

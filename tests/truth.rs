@@ -161,7 +161,7 @@ fn the_picture_from_the_light_is_the_picture_from_the_eye() {
     assert!((a - b).abs() <= 4.0 * error, "{a} {b} ± {error}");
     // The mistake of a pupil with another radius in the weight than in the test: four times.
     let wide = TwoWays { pupil: 1.0, ..view };
-    let wide = wide.from_light(2_000_000, 5).film.picture();
+    let wide = wide.picture_by_light(2_000_000, 5).film.picture();
     assert!(
         compare::z_scores(&wide, &eye.film.picture())
             .unwrap()

@@ -71,7 +71,7 @@ fn work(desk: &mut Desk) -> Result<Ledger, DeskError> {
     agreement(desk, &light, &eye);
 
     // What the same error costs either way, against a reference from other random numbers.
-    let reference = view.from_eye(desk.choose(32_768, 4_096), seed + 1);
+    let reference = view.picture_by_eye(desk.choose(32_768, 4_096), seed + 1);
     let (doublings, replicates) = desk.choose((6, 8), (3, 4));
     let prices = prices::measure(&view, &reference.film, doublings, replicates, seed + 2);
     let (ratio, error) = prices.ratio();

@@ -52,8 +52,8 @@ pub fn measure(
         let mut errors = [Estimate::new(); 2];
         for seed in seed..seed + replicates {
             let runs = [
-                view.from_light(20_000 << k, seed),
-                view.from_eye(1 << k, seed),
+                view.picture_by_light(20_000 << k, seed),
+                view.picture_by_eye(1 << k, seed),
             ];
             let squares = runs
                 .each_ref()

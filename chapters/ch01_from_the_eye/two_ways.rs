@@ -58,15 +58,15 @@ impl<'a> TwoWays<'a> {
     /// many rays traced.
     pub fn both(&self, spp: u32, seed: u64) -> [Traced; 2] {
         let [width, height] = self.scene.size;
-        let light = self.from_light(spp * width * height, seed);
+        let light = self.picture_by_light(spp * width * height, seed);
         let from_eye = light.rays / (2 * u64::from(width * height));
-        [light, self.from_eye(from_eye.max(1) as u32, seed)]
+        [light, self.picture_by_eye(from_eye.max(1) as u32, seed)]
     }
 
     // ANCHOR: from_light
     /// The picture from the light: `count` rays leave the lamp, and those that enter the pupil,
     /// straight or after one bounce, count.
-    pub fn from_light(&self, count: u32, seed: u64) -> Traced {
+    pub fn picture_by_light(&self, count: u32, seed: u64) -> Traced {
         let power = self.lamp.radiance * (PI * 4.0 * PI * self.lamp.sphere.radius.powi(2));
         self.gather(count, |tracer, index| {
             let mut u = Stream::new(seed, index, 0).at(0, Purpose::Emission);
@@ -98,7 +98,7 @@ impl<'a> TwoWays<'a> {
     // ANCHOR: from_eye
     /// The picture from the eye: `spp` rays leave each pixel through the pupil, and from what
     /// they meet a line leads to the lamp.
-    pub fn from_eye(&self, spp: u32, seed: u64) -> Traced {
+    pub fn picture_by_eye(&self, spp: u32, seed: u64) -> Traced {
         let [width, height] = self.scene.size;
         let pixels = (0..width * height).into_par_iter().map(|index| {
             let mut pixel = Pixel::default();

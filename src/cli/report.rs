@@ -27,13 +27,11 @@ pub(super) struct Report<'a> {
     pub accuracy: Ended<'a>,
     pub too_bright_pixels: usize,
     pub maps: Vec<String>,
-    #[serde(skip_serializing_if = "Vec::is_empty")]
     pub views: Vec<String>,
     /// Why there are no maps, or not all of them.
     #[serde(skip)]
     pub no_maps: Option<String>,
     pub black: Option<String>,
-    #[serde(skip_serializing_if = "Option::is_none")]
     pub patches: Option<Patched>,
     pub rarely_asked: Option<RarelyAsked>,
     pub lamps_unmet: usize,

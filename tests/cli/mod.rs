@@ -15,6 +15,7 @@ mod options;
 mod target;
 pub mod textured_meshes;
 mod unheard;
+mod views;
 mod whole_files;
 
 use std::path::Path;

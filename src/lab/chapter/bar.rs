@@ -42,7 +42,10 @@ impl Bar {
 
 impl Drop for Bar {
     fn drop(&mut self) {
-        self.bar.finish_and_clear();
+        // Cleared where it was never drawn it would leave an empty line.
+        if !self.bar.is_hidden() && self.bar.position() > 0 {
+            self.bar.finish_and_clear();
+        }
     }
 }
 

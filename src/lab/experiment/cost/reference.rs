@@ -5,7 +5,7 @@
 //! expectation is the squared distance from the truth, whatever their noise.
 
 use crate::render::accuracy::Scale;
-use crate::render::{Film, Picture};
+use crate::render::{Film, Picture, Pixel};
 use crate::stats::Estimate;
 
 /// Two independent pictures of the same thing.
@@ -51,6 +51,17 @@ impl Reference {
             .collect()
     }
     // ANCHOR_END: squares
+
+    /// Squared relative distances from the truth of what two independent films of one method tend to, for
+    /// each pixel and without bias: the noise of neither counts.
+    pub fn squared_bias(&self, [a, b]: [&Film; 2]) -> Vec<f64> {
+        let pairs = a.pixels().iter().zip(b.pixels()).enumerate();
+        let product = |(i, (a, b)): (usize, (&Pixel, &Pixel))| {
+            let [a, b] = [a, b].map(|pixel| pixel.mean().unwrap_or([0.0; 3]));
+            self.product(i, &a, &b)
+        };
+        pairs.map(product).collect()
+    }
 
     /// The product of the differences of `x` from one half and of `y` from the other, relative, in
     /// pixel `i`.

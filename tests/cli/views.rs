@@ -1,0 +1,155 @@
+//! Further views of one scene: `--camera`.
+
+use super::{complaint, folder, halfdisk, refused};
+use std::path::Path;
+
+/// A lit corner, from some place.
+fn scene(from: &str) -> String {
+    format!(
+        "name = 'corner'\ncamera = {{ from = {from}, to = [0, 0.5, 0], fov = 60 }}\nfilm.size = [24, 16]\n\
+         materials.grey.lambert.albedo = 0.5\n\
+         [[objects]]\nmaterial = 'grey'\nquad = {{ corner = [-1, 0, 1], u = [2, 0, 0], v = [0, 0, -2] }}\n\
+         [[objects]]\nmaterial = 'grey'\nquad = {{ corner = [-1, 0, -1], u = [2, 0, 0], v = [0, 2, 0] }}\n\
+         [[objects]]\nemits = 5\nquad = {{ corner = [-0.3, 1.9, -0.3], u = [0.6, 0, 0], v = [0, 0, 0.6] }}\n"
+    )
+}
+
+fn pixels(path: &Path) -> Vec<u8> {
+    image::open(path).unwrap().to_rgb8().into_raw()
+}
+
+/// The largest difference of two pictures, of 255.
+fn apart(a: &[u8], b: &[u8]) -> u8 {
+    assert_eq!(a.len(), b.len());
+    let pairs = a.iter().zip(b);
+    pairs.map(|(a, b)| a.abs_diff(*b)).max().unwrap()
+}
+
+#[test]
+fn another_view_is_the_picture_from_there() {
+    let folder = folder();
+    let at = |name: &str| folder.path().join(name);
+    std::fs::write(at("here.toml"), scene("[0, 1, 4]")).unwrap();
+    std::fs::write(at("there.toml"), scene("[2, 1.5, 3]")).unwrap();
+    for integrator in ["path", "radiosity"] {
+        let run = |scene: &str, more: &[&str]| {
+            let usual = [
+                "render",
+                scene,
+                "--spp",
+                "64",
+                "--quiet",
+                "--integrator",
+                integrator,
+            ];
+            let output = halfdisk(folder.path(), &[&usual[..], more].concat());
+            assert!(output.status.success(), "{}", complaint(&output));
+        };
+        run(
+            "here.toml",
+            &["--out", "both.png", "--camera", "there.toml"],
+        );
+        run("here.toml", &["--out", "first.png"]);
+        run("there.toml", &["--out", "second.png"]);
+        let [first, second] = ["first.png", "second.png"].map(|name| pixels(&at(name)));
+        assert_eq!(pixels(&at("both.png")), first, "{integrator}");
+        // The same light to rounding; the first view is another picture.
+        let there = pixels(&at("both-there.png"));
+        assert!(
+            apart(&there, &second) <= 2,
+            "{integrator}: {}",
+            apart(&there, &second)
+        );
+        assert!(apart(&there, &first) > 50, "{integrator}");
+    }
+}
+
+#[test]
+fn views_that_cannot_be_are_refused() {
+    let folder = folder();
+    std::fs::write(folder.path().join("here.toml"), scene("[0, 1, 4]")).unwrap();
+    let twice = [
+        "render",
+        "here.toml",
+        "--camera",
+        "cornell",
+        "--camera",
+        "cornell",
+    ];
+    let sentence = refused(folder.path(), &twice, 2);
+    assert!(sentence.contains("another view goes to"), "{sentence}");
+    refused(
+        folder.path(),
+        &["render", "here.toml", "--camera", "nowhere"],
+        2,
+    );
+}
+
+#[test]
+fn patches_are_asked_for_where_there_are_some() {
+    let folder = folder();
+    for (arguments, what) in [
+        (
+            &["render", "cornell", "--patches", "100"][..],
+            "`path` has no patches",
+        ),
+        (
+            &[
+                "render",
+                "cornell",
+                "--integrator",
+                "radiosity",
+                "--patches",
+                "3",
+            ],
+            "too few",
+        ),
+        (
+            &[
+                "render",
+                "cornell",
+                "--integrator",
+                "radiosity",
+                "--patches",
+                "0",
+            ],
+            "--patches",
+        ),
+        (
+            &[
+                "render",
+                "cornell",
+                "--integrator",
+                "radiosity",
+                "--patch-size",
+                "-1",
+            ],
+            "a length",
+        ),
+        (
+            &[
+                "render",
+                "cornell",
+                "--integrator",
+                "radiosity",
+                "--patches",
+                "100000",
+            ],
+            "40 GB",
+        ),
+        (
+            &[
+                "render",
+                "cornell",
+                "--integrator",
+                "radiosity",
+                "--target-error",
+                "2%",
+            ],
+            "--target-error",
+        ),
+    ] {
+        let sentence = refused(folder.path(), arguments, 2);
+        assert!(sentence.contains(what), "{arguments:?}: {sentence}");
+    }
+}
