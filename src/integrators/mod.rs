@@ -24,6 +24,7 @@ mod kajiya;
 mod light_tracer;
 mod next_event;
 mod observer;
+mod pass;
 mod path;
 mod roulette;
 mod tree;
@@ -40,6 +41,7 @@ pub use kajiya::Kajiya;
 pub use light_tracer::LightTracer;
 pub use next_event::NextEvent;
 pub use observer::{AllLight, FilteredPath, PathFilter, PathObserver};
+pub use pass::{Pass, Passes, Prepared};
 pub use path::Path;
 pub use roulette::{Roulette, Survival};
 pub use tree::{Met, RayKind, RecordedRay, TreeCount, TreeObserver, TreeRay, TreeRecord};
@@ -82,22 +84,11 @@ pub trait Integrator: Sync {
     /// `tracer`.
     fn li(&self, tracer: &mut Tracer, ray: &Ray, stream: &Stream) -> Rgb;
 
-    /// Paths that start at the lights, whose light is added to that of [`Integrator::li`]; `None` where
-    /// there are none.
-    fn light_paths(&self) -> Option<&dyn LightPaths> {
+    /// What is prepared for each sample of all pixels at once; `None` where pixels need nothing of the
+    /// kind. [`Integrator::li`] alone is then a part of the light.
+    fn passes(&self) -> Option<&dyn Passes> {
         None
     }
-}
-
-/// Paths that start at the lights: each brings its light to pixels of its own.
-pub trait LightPaths: Sync {
-    /// Traces one path, and calls `splat` with each place `(s, t)` in `[0, 1)²` of the film, `s` to the
-    /// right and `t` downwards, that it brings light to.
-    ///
-    /// The light is that of a path among as many as there are pixels: its mean, summed over the splats
-    /// in a pixel and over so many paths, is the radiance of the pixel in W/(m² sr). A pure function of
-    /// its arguments, as [`Integrator::li`].
-    fn trace(&self, tracer: &mut Tracer, stream: &Stream, splat: &mut dyn FnMut([f32; 2], Rgb));
 }
 
 impl<I: Integrator + ?Sized> Integrator for Box<I> {
@@ -105,8 +96,8 @@ impl<I: Integrator + ?Sized> Integrator for Box<I> {
         (**self).li(tracer, ray, stream)
     }
 
-    fn light_paths(&self) -> Option<&dyn LightPaths> {
-        (**self).light_paths()
+    fn passes(&self) -> Option<&dyn Passes> {
+        (**self).passes()
     }
 }
 
