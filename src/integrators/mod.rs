@@ -11,6 +11,7 @@
 //! | [`WhichRay`] | the same | shadow rays, and one ray whose kind is chosen |
 //! | [`Combine`] | the same | both, weighted |
 //! | [`LightTracer`] | `L((D\|S\|G)*(D\|G))?E` | walks from the lights, connected to the eye |
+//! | [`Photons`] | `L(D\|S\|G)*E`, blurred | walks from the lights, looked at where they land |
 //! | [`Path`] | the same as `combine` | all of it: the one to use |
 //!
 //! The walks are written against [`world::World`] and run in flatland, too. No integrator is
@@ -26,6 +27,7 @@ mod next_event;
 mod observer;
 mod pass;
 mod path;
+mod photons;
 mod roulette;
 mod tree;
 mod views;
@@ -43,6 +45,7 @@ pub use next_event::NextEvent;
 pub use observer::{AllLight, FilteredPath, PathFilter, PathObserver};
 pub use pass::{Pass, Passes, Prepared};
 pub use path::Path;
+pub use photons::Photons;
 pub use roulette::{Roulette, Survival};
 pub use tree::{Met, RayKind, RecordedRay, TreeCount, TreeObserver, TreeRay, TreeRecord};
 pub use views::{Albedo, Depth, Normals};
@@ -56,7 +59,7 @@ use crate::scene::Tracer;
 use crate::space::Solid;
 
 /// The integrators of light that one can ask for by name, in the order of the ladder.
-pub const LADDER: [Entry; 8] = [
+pub const LADDER: [Entry; 9] = [
     Whitted::ENTRY,
     Kajiya::ENTRY,
     WhichRay::ENTRY,
@@ -64,6 +67,7 @@ pub const LADDER: [Entry; 8] = [
     NextEvent::ENTRY,
     Combine::ENTRY,
     LightTracer::ENTRY,
+    Photons::ENTRY,
     Path::ENTRY,
 ];
 

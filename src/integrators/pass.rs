@@ -42,7 +42,7 @@ pub struct Pass<'a> {
     pub sample: u32,
     /// The picture's seed.
     pub seed: u64,
-    /// How the samples of a path's place lie to each other.
+    /// How the samples of a path of one number lie to each other.
     pub sampler: Sampler,
     /// Integrals that are left out.
     pub fixed: &'static [Purpose],
@@ -54,6 +54,20 @@ impl Pass<'_> {
     /// The number of pixels.
     pub fn pixels(&self) -> u32 {
         self.scene.size[0].saturating_mul(self.scene.size[1])
+    }
+
+    /// A random moment in `[0, 1)` while the shutter is open, for passes that look at one only.
+    pub fn moment(&self) -> f32 {
+        match self.scene.moves() {
+            true => self.stream(0).at(0, Purpose::Time).one(),
+            false => 0.0,
+        }
+    }
+
+    /// The random numbers of a path.
+    fn stream(&self, path: u32) -> Stream {
+        let seed = self.seed ^ FROM_LIGHTS;
+        Stream::with(self.sampler, seed, path, self.sample).fixing(self.fixed)
     }
 
     /// Traces so many paths, each with a stream of its own; `path` is told where to leave what it finds.
@@ -72,10 +86,9 @@ impl Pass<'_> {
                 if (self.stop)() {
                     return None;
                 }
-                let seed = self.seed ^ FROM_LIGHTS;
-                let stream = Stream::with(self.sampler, seed, number, self.sample);
-                let stream = stream.fixing(self.fixed);
-                path(&mut tracer, &stream, &mut |one| found.push(one));
+                path(&mut tracer, &self.stream(number), &mut |one| {
+                    found.push(one);
+                });
             }
             Some((found, tracer.counts()))
         };
