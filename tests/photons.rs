@@ -1,6 +1,6 @@
 //! What photons show is the light, blurred as much as they say.
 
-use crate::checks::{alike, between, unlike};
+use crate::checks::{alike, unlike};
 use glam::Vec3;
 use halfdisk::color::Rgb;
 use halfdisk::integrators::{Integrator, LightTracer, Pass, Path, Photons};
@@ -193,12 +193,11 @@ fn the_error_falls_as_it_should() {
             };
             let seed = replicate << 32 | u64::from(*size);
             let film = rendered(&scene, &photons, *size, seed).film;
-            let errors = film.pixels().iter().zip(&truth);
-            errors
-                .map(|(p, t)| (p.mean().unwrap()[0] - t).powi(2))
-                .sum::<f64>()
+            let pixels = film.pixels().iter().map(|p| p.mean().unwrap()[0]);
+            let squares = pixels.zip(&truth).map(|(x, truth)| (x - truth).powi(2));
+            squares.sum::<f64>()
         };
-        let replicates: Vec<u64> = (0..96).collect();
+        let replicates: Vec<u64> = (0..160).collect();
         let squares = replicates.into_par_iter();
         let squares = squares.map(|r| sizes.iter().map(|size| squared(r, size)).collect());
         let squares: Vec<Vec<f64>> = squares.collect();
@@ -207,12 +206,10 @@ fn the_error_falls_as_it_should() {
     };
     let (shrinking, staying) = (slope(radius::FASTEST), slope(1.0));
     println!("shrinking {shrinking}, staying {staying}");
-    assert!(
-        (shrinking.line.slope + 1.0 / 3.0).abs() < 0.04,
-        "{shrinking}"
-    );
+    let off = shrinking.line.slope + 1.0 / 3.0;
+    assert!(off.abs() < 0.04, "{shrinking}");
     assert!(shrinking.half_width < 0.03, "{shrinking}");
-    assert!(staying.line.slope > -0.2, "{staying}");
+    assert!(staying.line.slope > -0.25, "{staying}");
     // As the power -1/6 of the number of passes.
     let shrunk = |n: u32| radius::shrunk(radius::FASTEST, n - 1);
     assert_eq!([shrunk(1), radius::shrunk(1.0, 99)], [1.0; 2]);
@@ -253,6 +250,7 @@ fn a_point_in_glass_seen_in_a_mirror() {
         radius: Some(0.2),
         ..Photons::new(12)
     };
+    // Of which the blur makes half a per cent more.
     let ours = mean(&covered, &photons, 16, 24);
     alike("covered", ours, truth, 0.03);
     alike("bare", mean(&bare, &photons, 16, 4), truth, 0.02);
@@ -337,45 +335,30 @@ fn pictures_of_the_gallery_are_those_of_path() {
             walks: Some(1 << 12),
             ..Photons::new(max_depth)
         };
-        let evenly = |integrator: &dyn Integrator, spp| {
-            let sampler = Sampler::Sobol;
-            render(
-                &scene,
-                integrator,
-                &Options {
-                    spp,
-                    sampler,
-                    ..Options::default()
-                },
-                &(),
-            )
+        let evenly = |spp| Options {
+            spp,
+            sampler: Sampler::Sobol,
+            ..Options::default()
         };
-        let ours = evenly(&photons, 64);
-        let path = evenly(&Path::new(max_depth), 1024);
+        let ours = render(&scene, &photons, &evenly(64), &());
+        let path = render(&scene, &Path::new(max_depth), &evenly(1024), &());
         let ratio = ours.film.mean().0 / path.film.mean().0;
         let [a, b] = [&ours, &path].map(|made| made.film.picture().in_squares(4));
         let rel = compare::rel_mse(&a, &b).sqrt();
-        let (z, notices) = between(ours.mean(), path.mean());
-        println!(
-            "{name}: {ratio:.4} of path, z {z:+.1}, notices {notices:.4}, pixels differ by {rel:.4}"
-        );
+        println!("{name}: {ratio:.4} of path, parts differ by {rel:.4}");
         assert!((ratio - 1.0).abs() < blur, "{name}: {ratio}");
         assert!(rel < 0.12, "{name}: {rel}");
     }
 }
 
-/// Stops after so many questions.
-struct After(AtomicU32);
+/// Stops when it was asked so often.
+struct After(AtomicU32, u32);
 
 impl Progress for After {
     fn tell(&self, _: u64, _: u64) {}
 
     fn stop(&self) -> bool {
-        let left = |left: u32| Some(left.saturating_sub(1));
-        let before = self
-            .0
-            .fetch_update(Ordering::Relaxed, Ordering::Relaxed, left);
-        before == Ok(0)
+        self.0.fetch_add(1, Ordering::Relaxed) >= self.1
     }
 }
 
@@ -402,7 +385,7 @@ fn photons_are_the_same_on_any_threads_tiles_and_pauses_and_stop_when_told() {
     assert_eq!(one.film, session.film());
     // Within the first paths from the lights, and later.
     for questions in [1, 500, 1000] {
-        let progress = After(AtomicU32::new(questions));
+        let progress = After(AtomicU32::new(0), questions);
         let rendered = render(&scene, &photons, &options(16), &progress);
         assert!(rendered.interrupted, "{questions}");
         let counts = rendered.film.pixels().iter().map(|pixel| pixel.count());

@@ -160,3 +160,56 @@ impl PhotonMap {
     }
     // ANCHOR_END: radiance
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::geometry::Ray;
+    use crate::scene::{Tracer, gallery};
+    use std::f32::consts::PI;
+
+    #[test]
+    fn only_photons_of_the_surface_count_and_each_by_its_kernel() {
+        // The middle of a wall of albedo 1/2, whose front side is seen.
+        let furnace = gallery::load("furnace").expect("a scene");
+        let mut tracer = Tracer::new(&furnace);
+        let at = tracer.camera_ray(&Ray::new(Vec3::ZERO, Vec3::Z));
+        let at = at.expect("a wall");
+        let (p, n, aside) = (at.surface.p, at.surface.n, Vec3::X * 0.1);
+        let good = Photon {
+            p: p + aside,
+            n,
+            wi: n,
+            power: Rgb::new(1.0, 2.0, 3.0),
+            segments: 3,
+        };
+        let (radius, walks) = (0.2, 7);
+        let read = |photon: Photon| {
+            let map = PhotonMap::new(vec![photon], walks, radius);
+            map.radiance(&at, 3).channels()
+        };
+        let disc = PI * radius * radius;
+        // Half a radius away the kernel is 2 (1 - 1/4).
+        let one = 0.5 / PI * 1.5 / (7.0 * disc);
+        for (x, power) in read(good).into_iter().zip([1.0, 2.0, 3.0]) {
+            assert!((x / (power * one) - 1.0).abs() < 1e-5, "{x}");
+        }
+        let back = Photon { n: -n, ..good };
+        assert_eq!(read(back), read(good), "a wall has two sides");
+        let (p, wi) = (p + aside + n * 0.1, -n);
+        for (what, photon) in [
+            ("above", Photon { p, ..good }),
+            ("from behind", Photon { wi, ..good }),
+            ("on another wall", Photon { n: Vec3::X, ..good }),
+            (
+                "after too long a way",
+                Photon {
+                    segments: 4,
+                    ..good
+                },
+            ),
+        ] {
+            assert_eq!(read(photon), [0.0; 3], "{what}");
+        }
+    }
+}
