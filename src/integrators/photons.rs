@@ -250,3 +250,49 @@ impl Integrator for Looking<'_> {
         self.photons.walk(Some(&self.map), tracer, &ray, stream)
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::integrators::Path;
+    use crate::render::{Film, Options, render};
+    use crate::scene::{Scene, gallery, read::Source};
+
+    /// A floor that rises a little under a ceiling with a lamp.
+    const RISING: &str = "name = 'test'\nfilm.size = [8, 8]\nmaterials.half.lambert.albedo = 0.5\n\
+        [camera]\nfrom = [0, 2, 0]\nto = [0, 0, 0]\nup = [0, 0, 1]\nfov = 40\nshutter = [0, 1]\n\
+        [[objects]]\nmaterial = 'half'\nmotion = [0, 0.4, 0]\n\
+        quad = { corner = [-9, 0, 9], u = [18, 0, 0], v = [0, 0, -18] }\n\
+        [[objects]]\nmaterial = 'half'\n\
+        quad = { corner = [-9, 3, -9], u = [18, 0, 0], v = [0, 0, 18] }\n\
+        [[lights]]\npoint = { position = [0, 2.5, 0], intensity = 1 }\n";
+
+    fn film(scene: &Scene, integrator: &dyn Integrator, spp: u32) -> Film {
+        let options = Options {
+            spp,
+            ..Options::default()
+        };
+        render(scene, integrator, &options, &()).film
+    }
+
+    #[test]
+    fn photons_are_looked_at_where_surfaces_were_when_they_landed() {
+        let source = Source {
+            file: "test.toml",
+            text: RISING,
+        };
+        let scene = gallery::from_text(source, None, |_| {}).expect("a scene");
+        // Light by way of the ceiling, and nothing else: a third of the light.
+        let truth = film(&scene, &Path::new(3), 512).mean().0;
+        let direct = film(&scene, &Path::new(2), 512).mean().0;
+        let photons = Photons {
+            radius: Some(0.1),
+            walks: Some(1 << 13),
+            ..Photons::new(3)
+        };
+        let ours = film(&scene, &photons, 128).mean().0;
+        println!("{ours} for {truth}, of which {direct} is straight from the lamp");
+        assert!(direct < 0.9 * truth, "{direct} {truth}");
+        assert!((ours / truth - 1.0).abs() < 0.03, "{ours} {truth}");
+    }
+}

@@ -43,7 +43,8 @@ pub fn first(pass: &Pass, walks: u32) -> (f32, RayCounts) {
     let middle = |i: u8| (f32::from(i) + 0.5) / f32::from(LOOKS);
     let places = (0..LOOKS).flat_map(|i| (0..LOOKS).map(move |j| [middle(i), middle(j)]));
     let mut distances: Vec<f32> = places
-        .filter_map(|[s, t]| tracer.camera_ray(&scene.camera.ray(s, t)))
+        // Of no sample: rays that are counted as the camera's are one for each sample.
+        .filter_map(|[s, t]| tracer.secondary_ray(&scene.camera.ray(s, t)))
         .map(|hit| hit.t)
         .collect();
     distances.sort_by(f32::total_cmp);
