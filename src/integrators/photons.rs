@@ -287,10 +287,10 @@ mod tests {
         let direct = film(&scene, &Path::new(2), 512).mean().0;
         let photons = Photons {
             radius: Some(0.1),
-            walks: Some(1 << 13),
+            walks: Some(1 << 11),
             ..Photons::new(3)
         };
-        let ours = film(&scene, &photons, 128).mean().0;
+        let ours = film(&scene, &photons, 1024).mean().0;
         println!("{ours} for {truth}, of which {direct} is straight from the lamp");
         assert!(direct < 0.9 * truth, "{direct} {truth}");
         assert!((ours / truth - 1.0).abs() < 0.03, "{ours} {truth}");

@@ -116,10 +116,9 @@ impl PhotonMap {
     }
 
     /// What [`PhotonMap::near`] finds, by a loop over all of them.
-    pub fn near_by_loop(&self, p: Vec3, mut visit: impl FnMut(&Photon)) {
+    pub fn near_by_loop(&self, p: Vec3, visit: impl FnMut(&Photon)) {
         let all = self.photons.iter();
-        all.filter(|photon| self.reaches(p, photon))
-            .for_each(|photon| visit(photon));
+        all.filter(|photon| self.reaches(p, photon)).for_each(visit);
     }
 
     fn reaches(&self, p: Vec3, photon: &Photon) -> bool {
