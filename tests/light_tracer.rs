@@ -31,15 +31,7 @@ fn by_path(scene: &Scene, max_depth: u32, spp: u32) -> Rendered {
     let paths: Expression = FOUND.parse().unwrap();
     let paths = paths.eye_first();
     let path = Path::new(max_depth);
-    rendered(
-        scene,
-        &FilteredPath {
-            path,
-            paths: &paths,
-        },
-        spp,
-        2,
-    )
+    rendered(scene, &FilteredPath { path, paths }, spp, 2)
 }
 
 #[test]

@@ -116,7 +116,8 @@ const ONCE: u32 = 3;
 
 /// The irradiance by a point of 1 W/sr at a height, so far aside of its foot.
 fn irradiance(height: f64, aside2: f64) -> f64 {
-    height / (height * height + aside2).powf(1.5)
+    let distance2 = height * height + aside2;
+    height / (distance2 * distance2.sqrt())
 }
 
 /// The same, blurred by Epanechnikov's kernel of a radius.
@@ -129,7 +130,7 @@ fn blurred(height: f64, [x, z]: [f64; 2], radius: f64) -> f64 {
         let share = middle(i);
         let aside = radius * share.sqrt();
         for j in 0..N {
-            let (sin, cos) = (std::f64::consts::TAU * middle(j)).sin_cos();
+            let (sin, cos) = libm::sincos(std::f64::consts::TAU * middle(j));
             let (x, z) = (x + aside * cos, z + aside * sin);
             sum += 2.0 * (1.0 - share) * irradiance(height, x * x + z * z);
         }
