@@ -28,7 +28,7 @@
 //! 4. [`materials`]: materials, and the BSDF at a point; [`lights`]; [`camera`]
 //! 5. [`scene`]: from a file to something rays can intersect; [`flatland`]: the same in the flat world
 //! 6. [`integrators`]: the stages of the algorithm, side by side, in any [`integrators::world::World`];
-//!    [`radiosity`]: light on patches, solved at once
+//!    [`radiosity`]: light on patches, solved at once; [`photons`]: where light lands
 //! 7. [`render`]: the pixel loop and the film; [`output`]: pictures as files
 //! 8. [`lab`]: the laboratory, which the modules above never use: [`lab::effects`], what a scene calls
 //!    for; [`lab::estimators`], smaller questions than a picture; [`lab::mistakes`] and [`lab::doctor`],
@@ -85,6 +85,7 @@ pub mod materials;
 pub mod notation;
 pub mod numeric;
 pub mod output;
+pub mod photons;
 pub mod radiosity;
 pub mod render;
 pub mod sampling;

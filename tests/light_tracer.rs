@@ -3,7 +3,7 @@
 use crate::checks::{alike, unlike};
 use halfdisk::color::Rgb;
 use halfdisk::geometry::Ray;
-use halfdisk::integrators::{FilteredPath, Integrator, LightPaths, LightTracer, Path};
+use halfdisk::integrators::{FilteredPath, Integrator, LightTracer, Pass, Passes, Path, Prepared};
 use halfdisk::notation::Expression;
 use halfdisk::render::{Options, Rendered, compare, render};
 use halfdisk::sampling::stream::{Sampler, Stream};
@@ -31,15 +31,7 @@ fn by_path(scene: &Scene, max_depth: u32, spp: u32) -> Rendered {
     let paths: Expression = FOUND.parse().unwrap();
     let paths = paths.eye_first();
     let path = Path::new(max_depth);
-    rendered(
-        scene,
-        &FilteredPath {
-            path,
-            paths: &paths,
-        },
-        spp,
-        2,
-    )
+    rendered(scene, &FilteredPath { path, paths }, spp, 2)
 }
 
 #[test]
@@ -78,16 +70,18 @@ impl Integrator for Wrong {
         LightTracer { max_depth: 6 }.li(tracer, ray, stream)
     }
 
-    fn light_paths(&self) -> Option<&dyn LightPaths> {
+    fn passes(&self) -> Option<&dyn Passes> {
         Some(self)
     }
 }
 
-impl LightPaths for Wrong {
-    fn trace(&self, tracer: &mut Tracer, stream: &Stream, splat: &mut dyn FnMut([f32; 2], Rgb)) {
-        LightTracer { max_depth: 6 }.trace(tracer, stream, &mut |film, light| {
-            splat(film, light * (self.0)(film));
-        });
+impl Passes for Wrong {
+    fn prepare<'a>(&'a self, pass: &Pass<'a>) -> Option<Prepared<'a>> {
+        pass.splat(|tracer, stream, splat| {
+            LightTracer { max_depth: 6 }.trace(tracer, stream, &mut |film, light| {
+                splat(film, light * (self.0)(film));
+            });
+        })
     }
 }
 

@@ -34,6 +34,7 @@ mod of_chapters;
 mod pairs;
 mod path;
 mod peers;
+mod photons;
 mod radiosity;
 mod random_scenes;
 mod six_integrals;

@@ -12,7 +12,7 @@ const FLOORS: &[&[&str]] = &[
     &["geometry", "space"],
     &["materials", "lights", "camera"],
     &["scene", "flatland"],
-    &["integrators", "radiosity"],
+    &["integrators", "radiosity", "photons"],
     &["render", "output"],
     &["lab::naive", "lab::effects"],
     &["lab::mistakes", "lab::doctor", "lab::estimators"],

@@ -57,8 +57,7 @@ fn work(desk: &mut Desk) -> Result<Ledger, DeskError> {
     desk.picture("choices.png", caption, &map.film, &scene)?;
 
     // How often each kind is chosen, and what a furnace reads.
-    let mut compared = furnaces::frequencies(desk);
-    compared = compared.with(furnaces::readings(desk));
+    let mut compared = furnaces::frequencies(desk).with(furnaces::readings(desk));
     compared = compared.with(furnaces::variances(desk)?);
     compared = compared.with(furnaces::two_ways_to_lose(desk));
     furnaces::growth(desk)?;

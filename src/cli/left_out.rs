@@ -72,8 +72,9 @@ impl LeftOut {
             text +=
                 &format!("note: {name} leaves out {light} of {light_of} ({words} …): {reason}\n");
         }
-        let found = self.missed.iter().all(|missed| !missed.all);
-        if let Some(lost) = plan(scene).out_of_reach.filter(|_| found) {
+        let part = |missed: &Missed| !missed.all;
+        let in_part = !self.missed.is_empty() && self.missed.iter().all(part);
+        if let Some(lost) = plan(scene).out_of_reach.filter(|_| in_part) {
             text += &format!("note: {} is out of reach: {}\n", lost.paths, lost.reason);
         }
         text

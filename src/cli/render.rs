@@ -139,6 +139,14 @@ impl Render {
                 self.integrator.name
             )));
         }
+        let aims = self.ending.goal().error.is_some();
+        if let Some(bias) = self.integrator.biased.filter(|_| aims) {
+            return Err(Stop::Input(format!(
+                "--target-error: the scatter of its samples is not all of the error of `{}`: {bias}; \
+                 --spp or --time ends it",
+                self.integrator.name
+            )));
+        }
         if self.all_effects {
             scene = scene.with_all_effects();
         }
@@ -251,6 +259,7 @@ impl Render {
                 .filter(|_| rendered.is_black())
                 .map(|left_out| left_out.why_black(&scene, max_depth)),
             patches: solved,
+            biased: self.integrator.biased,
             rarely_asked: self.rarely_asked(&scene, rendered, max_depth),
             lamps_unmet: left_out.map_or(0, LeftOut::unmet),
             unmet: left_out.map_or_else(String::new, LeftOut::after),

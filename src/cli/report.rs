@@ -33,6 +33,8 @@ pub(super) struct Report<'a> {
     pub no_maps: Option<String>,
     pub black: Option<String>,
     pub patches: Option<Patched>,
+    /// Why the scatter of samples is not all of its error.
+    pub biased: Option<&'static str>,
     pub rarely_asked: Option<RarelyAsked>,
     pub lamps_unmet: usize,
     /// What no sample has met, in words.
@@ -214,7 +216,8 @@ impl Display for Report<'_> {
             let why = "since few samples that lie evenly only bound their error";
             writeln!(f, " ± at most {error:.1e}, {why}")?;
         } else {
-            writeln!(f, " ± {error:.1e}")?;
+            let noise = self.biased.map_or("", |_| " of noise");
+            writeln!(f, " ± {error:.1e}{noise}")?;
         }
         self.scene(f)?;
         self.picture(f)?;
@@ -222,6 +225,12 @@ impl Display for Report<'_> {
             writeln!(f, "{patches}")?;
         }
         self.accuracy.fmt(f)?;
+        if let Some(why) = self.biased {
+            writeln!(
+                f,
+                "that error is noise alone, the picture is biased, too: {why}"
+            )?;
+        }
         if let Some(why) = &self.black {
             writeln!(f, "the picture is black: {why}")?;
         }

@@ -23,6 +23,9 @@ pub struct Entry {
     pub longest: u32,
     /// True where its paths end by chance, whatever their longest is said to be.
     pub is_endless: bool,
+    /// Why its expectation is not the light that it finds, at any number of samples, so that the scatter of
+    /// samples is not all of its error; `None` where it is unbiased.
+    pub biased: Option<&'static str>,
 }
 
 /// Makes an integrator for a scene, or refuses.
@@ -134,6 +137,7 @@ impl Entry {
             shows: Shows::Light(finds),
             longest: u32::MAX,
             is_endless: false,
+            biased: None,
         }
     }
 
@@ -185,11 +189,11 @@ impl Entry {
         }
     }
 
-    /// Why its answer is not the truth, however many samples it takes; `None` where it is.
+    /// Why its answer may not be the truth, whatever the scatter of its samples says; `None` where it is.
     pub const fn leaves_out(&self) -> Option<&'static str> {
         match self.finds() {
             Some(finds) if !finds.lamps.because.is_empty() => Some(finds.lamps.because),
-            _ => None,
+            _ => self.biased,
         }
     }
 }

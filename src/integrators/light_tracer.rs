@@ -16,7 +16,7 @@
 //! exchanged.
 
 use super::world::World;
-use super::{Entry, Finds, Found, Integrator, LightPaths, Survival};
+use super::{Entry, Finds, Found, Integrator, Pass, Passes, Prepared, Survival};
 use crate::color::Rgb;
 use crate::geometry::Ray;
 use crate::sampling::stream::{Purpose, Stream};
@@ -68,14 +68,27 @@ impl Integrator for LightTracer {
         tracer.emitted(ray, hit.as_ref())
     }
 
-    fn light_paths(&self) -> Option<&dyn LightPaths> {
+    fn passes(&self) -> Option<&dyn Passes> {
         Some(self)
     }
 }
 
-impl LightPaths for LightTracer {
+impl Passes for LightTracer {
+    fn prepare<'a>(&'a self, pass: &Pass<'a>) -> Option<Prepared<'a>> {
+        pass.splat(|tracer, stream, splat| self.trace(tracer, stream, splat))
+    }
+}
+
+impl LightTracer {
     // ANCHOR: light_tracer
-    fn trace(&self, tracer: &mut Tracer, stream: &Stream, splat: &mut dyn FnMut([f32; 2], Rgb)) {
+    /// Traces one path, and calls `splat` with each place of the film that it brings light to: see
+    /// [`Pass::splat`].
+    pub fn trace(
+        &self,
+        tracer: &mut Tracer,
+        stream: &Stream,
+        splat: &mut dyn FnMut([f32; 2], Rgb),
+    ) {
         let Some(start) = tracer.sample_emission(stream) else {
             return;
         };

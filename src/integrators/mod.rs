@@ -12,6 +12,7 @@
 //! | [`Combine`] | the same | both, weighted |
 //! | [`LightTracer`] | `L((D\|S\|G)*(D\|G))?E` | walks from the lights, connected to the eye |
 //! | [`Radiosity`] | `LD*(S\|G)*E` | light solved on patches, looked at by one ray more |
+//! | [`Photons`] | `L(D\|S\|G)*E`, blurred | walks from the lights, looked at where they land |
 //! | [`Path`] | as `combine` | all of it: the one to use |
 //!
 //! The walks are written against [`world::World`] and run in flatland, too. No integrator is
@@ -25,7 +26,9 @@ mod kajiya;
 mod light_tracer;
 mod next_event;
 mod observer;
+mod pass;
 mod path;
+mod photons;
 mod prepare;
 mod roulette;
 mod tree;
@@ -43,7 +46,9 @@ pub use kajiya::Kajiya;
 pub use light_tracer::LightTracer;
 pub use next_event::NextEvent;
 pub use observer::{AllLight, FilteredPath, PathFilter, PathObserver};
+pub use pass::{Pass, Passes, Prepared};
 pub use path::Path;
+pub use photons::Photons;
 pub use prepare::{Refused, Settings, Watch};
 pub use roulette::{Roulette, Survival};
 pub use tree::{Met, RayKind, RecordedRay, TreeCount, TreeObserver, TreeRay, TreeRecord};
@@ -71,7 +76,7 @@ pub const WALKS: [Entry; 7] = [
 ];
 
 /// Integrators of light that find it in other ways.
-pub const OTHERS: [Entry; 2] = [LightTracer::ENTRY, Radiosity::ENTRY];
+pub const OTHERS: [Entry; 3] = [LightTracer::ENTRY, Photons::ENTRY, Radiosity::ENTRY];
 
 /// All integrators of light that one can ask for by name: [`WALKS`], then [`OTHERS`].
 pub const LADDER: [Entry; WALKS.len() + OTHERS.len()] = {
@@ -105,9 +110,9 @@ pub trait Integrator: Sync {
     /// `tracer`.
     fn li(&self, tracer: &mut Tracer, ray: &Ray, stream: &Stream) -> Rgb;
 
-    /// Paths that start at the lights, whose light is added to that of [`Integrator::li`]; `None` where
-    /// there are none.
-    fn light_paths(&self) -> Option<&dyn LightPaths> {
+    /// What is prepared for each sample of all pixels at once; `None` where pixels need nothing of the
+    /// kind. [`Integrator::li`] alone is then a part of the light.
+    fn passes(&self) -> Option<&dyn Passes> {
         None
     }
 
@@ -123,24 +128,13 @@ pub trait Integrator: Sync {
     }
 }
 
-/// Paths that start at the lights: each brings its light to pixels of its own.
-pub trait LightPaths: Sync {
-    /// Traces one path, and calls `splat` with each place `(s, t)` in `[0, 1)²` of the film, `s` to the
-    /// right and `t` downwards, that it brings light to.
-    ///
-    /// The light is that of a path among as many as there are pixels: its mean, summed over the splats
-    /// in a pixel and over so many paths, is the radiance of the pixel in W/(m² sr). A pure function of
-    /// its arguments, as [`Integrator::li`].
-    fn trace(&self, tracer: &mut Tracer, stream: &Stream, splat: &mut dyn FnMut([f32; 2], Rgb));
-}
-
 impl<I: Integrator + ?Sized> Integrator for Box<I> {
     fn li(&self, tracer: &mut Tracer, ray: &Ray, stream: &Stream) -> Rgb {
         (**self).li(tracer, ray, stream)
     }
 
-    fn light_paths(&self) -> Option<&dyn LightPaths> {
-        (**self).light_paths()
+    fn passes(&self) -> Option<&dyn Passes> {
+        (**self).passes()
     }
 
     fn solved(&self) -> Option<&radiosity::Report> {

@@ -1,14 +1,12 @@
 //! Passes over tiles over threads.
 
 use super::clock::Clock;
-use super::light_image::light_image;
 use super::progress::Progress;
 use super::recorder::{Recorded, Recorder};
 use super::tile::{Tile, tiles};
 use super::watch::{Faults, Watch};
 use super::{BadSample, Film, Pixel};
-use crate::color::Rgb;
-use crate::integrators::Integrator;
+use crate::integrators::{Integrator, Pass, Prepared};
 use crate::sampling::stream::{EVEN_SAMPLES, Purpose, Sampler, even_run};
 use crate::scene::{RayCounts, Scene};
 use crate::time::Moment;
@@ -134,8 +132,8 @@ pub struct Session<'a, R: Recorder + ?Sized = dyn Integrator + 'a> {
     recorder: &'a R,
     options: Options,
     tiles: Vec<Tile<R::Notes>>,
-    /// Those of paths from the lights.
-    light_rays: RayCounts,
+    /// Those of what passes prepare.
+    pass_rays: RayCounts,
     spp: u32,
     time: Duration,
     interrupted: bool,
@@ -149,7 +147,7 @@ impl<'a, R: Recorder + ?Sized> Session<'a, R> {
             recorder,
             options: *options,
             tiles: tiles(scene.size, options.tile.max(1), recorder.pictures()),
-            light_rays: RayCounts::default(),
+            pass_rays: RayCounts::default(),
             spp: 0,
             time: Duration::ZERO,
             interrupted: false,
@@ -182,7 +180,7 @@ impl<'a, R: Recorder + ?Sized> Session<'a, R> {
                 stop: &stop,
                 tell: &tell,
             };
-            if !shots.take(pass, &mut self.tiles, &mut self.light_rays) {
+            if !shots.take(pass, &mut self.tiles, &mut self.pass_rays) {
                 interrupted.store(true, Ordering::Relaxed);
             }
         }
@@ -228,7 +226,7 @@ impl<'a, R: Recorder + ?Sized> Session<'a, R> {
             let Some(pass) = passes(self.spp, most).next() else {
                 break;
             };
-            let (mut tiles, mut light_rays) = (self.tiles.clone(), self.light_rays);
+            let (mut tiles, mut pass_rays) = (self.tiles.clone(), self.pass_rays);
             let shots = Shots {
                 scene,
                 recorder,
@@ -236,12 +234,12 @@ impl<'a, R: Recorder + ?Sized> Session<'a, R> {
                 stop: &stop,
                 tell: &|_| (),
             };
-            let whole = shots.take(pass.clone(), &mut tiles, &mut light_rays);
+            let whole = shots.take(pass.clone(), &mut tiles, &mut pass_rays);
             late = clock.late();
             if !late {
                 // Who stops a render keeps what there is.
                 self.interrupted = !whole;
-                (self.tiles, self.light_rays) = (tiles, light_rays);
+                (self.tiles, self.pass_rays) = (tiles, pass_rays);
                 self.spp = pass.end;
             }
             clock.tell();
@@ -271,7 +269,7 @@ impl<'a, R: Recorder + ?Sized> Session<'a, R> {
     }
 
     fn rays(&self) -> RayCounts {
-        let mut rays = self.light_rays;
+        let mut rays = self.pass_rays;
         self.tiles.iter().for_each(|tile| rays += tile.rays);
         rays
     }
@@ -334,17 +332,24 @@ impl<R: Recorder + ?Sized> Shots<'_, R> {
         &self,
         pass: Range<u32>,
         tiles: &mut [Tile<R::Notes>],
-        light_rays: &mut RayCounts,
+        pass_rays: &mut RayCounts,
     ) -> bool {
-        let Some(paths) = self.recorder.light_paths() else {
-            return self.of_tiles(pass, None, tiles);
+        let Some(passes) = self.recorder.passes() else {
+            return self.of_tiles(pass, &Prepared::default(), tiles);
         };
-        // The light of a sample falls on all pixels at once, so all tiles take it together.
+        // What is prepared for a sample is for all pixels at once, so all tiles take it together.
         pass.into_iter().all(|sample| {
-            let image = light_image(self.scene, paths, self.options, sample, self.stop);
-            image.is_some_and(|(image, rays)| {
-                *light_rays += rays;
-                self.of_tiles(sample..sample + 1, Some(&image), tiles)
+            let prepared = passes.prepare(&Pass {
+                scene: self.scene,
+                sample,
+                seed: self.options.seed,
+                sampler: self.options.sampler,
+                fixed: self.options.fixed,
+                stop: self.stop,
+            });
+            prepared.is_some_and(|prepared| {
+                *pass_rays += prepared.rays;
+                self.of_tiles(sample..sample + 1, &prepared, tiles)
             })
         })
     }
@@ -352,7 +357,7 @@ impl<R: Recorder + ?Sized> Shots<'_, R> {
     fn of_tiles(
         &self,
         pass: Range<u32>,
-        light: Option<&[Rgb]>,
+        prepared: &Prepared,
         tiles: &mut [Tile<R::Notes>],
     ) -> bool {
         let whole = AtomicBool::new(true);
@@ -364,7 +369,7 @@ impl<R: Recorder + ?Sized> Shots<'_, R> {
                 self.recorder,
                 self.options,
                 pass.clone(),
-                light,
+                prepared,
                 &stop,
             ) {
                 (self.tell)(samples);

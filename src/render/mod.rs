@@ -10,7 +10,6 @@ pub mod compare;
 mod film;
 mod film_loop;
 mod goal;
-mod light_image;
 mod picture;
 mod progress;
 mod recorder;

@@ -3,7 +3,7 @@
 use super::{Film, Rendered};
 use crate::color::Rgb;
 use crate::geometry::Ray;
-use crate::integrators::{Integrator, LightPaths};
+use crate::integrators::{Integrator, Passes};
 use crate::sampling::stream::Stream;
 use crate::scene::Tracer;
 
@@ -19,8 +19,9 @@ pub trait Recorder: Sync {
         0
     }
 
-    /// Paths from the lights, whose light is in the picture, too, and in none of the further ones.
-    fn light_paths(&self) -> Option<&dyn LightPaths> {
+    /// What is prepared for each sample of all pixels at once: its light is in the picture, too, and in
+    /// none of the further ones.
+    fn passes(&self) -> Option<&dyn Passes> {
         None
     }
 
@@ -39,8 +40,8 @@ pub trait Recorder: Sync {
 impl<I: Integrator + ?Sized> Recorder for I {
     type Notes = ();
 
-    fn light_paths(&self) -> Option<&dyn LightPaths> {
-        Integrator::light_paths(self)
+    fn passes(&self) -> Option<&dyn Passes> {
+        Integrator::passes(self)
     }
 
     fn record(

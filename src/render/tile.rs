@@ -5,6 +5,7 @@ use super::watch::Watch;
 use super::{BadSample, Options, Pixel};
 use crate::color::Rgb;
 use crate::geometry::Ray;
+use crate::integrators::Prepared;
 use crate::sampling::stream::{Purpose, Sampler, Stream, even_run};
 use crate::scene::{RayCounts, Scene, Tracer};
 use std::ops::Range;
@@ -52,8 +53,7 @@ pub(super) fn tiles<Notes: Default>(
 }
 
 impl<Notes> Tile<Notes> {
-    /// Takes the samples of a pass, with the light of paths from the lights that each pixel of the whole
-    /// picture has in them; false where it was stopped before its last pixel. It asks before each
+    /// Takes the samples of a pass, by or with what was prepared for it in the whole picture; false where it was stopped before its last pixel. It asks before each
     /// sample: a pass over a tile may have thousands, and a sample take a millisecond.
     pub(super) fn sample<R: Recorder<Notes = Notes> + ?Sized>(
         &mut self,
@@ -61,7 +61,7 @@ impl<Notes> Tile<Notes> {
         recorder: &R,
         options: &Options,
         pass: Range<u32>,
-        light: Option<&[Rgb]>,
+        prepared: &Prepared,
         stop: &(dyn Fn() -> bool + Sync),
     ) -> bool {
         let mut tracer = Tracer::new(scene);
@@ -82,8 +82,11 @@ impl<Notes> Tile<Notes> {
                     }
                     let (ray, stream) = camera_sample(scene, options, [x, y], sample);
                     let notes = &mut self.notes;
-                    let mut li = recorder.record(&mut tracer, &ray, &stream, &mut parts, notes);
-                    if let Some(light) = light {
+                    let mut li = match &prepared.eye {
+                        Some(eye) => eye.li(&mut tracer, &ray, &stream),
+                        None => recorder.record(&mut tracer, &ray, &stream, &mut parts, notes),
+                    };
+                    if let Some(light) = &prepared.light {
                         li += light[y as usize * scene.size[0] as usize + x as usize];
                     }
                     if self.watch.admits(li, BadSample { x, y, sample }) {

@@ -142,11 +142,16 @@ impl<'a> Tracer<'a> {
     /// Draws a light by its power, and a ray along which it emits at a random moment. Its power stands for
     /// that of all lights; `None` where there is none.
     pub fn sample_emission(&self, stream: &Stream) -> Option<EmissionSample> {
-        let scene = self.scene;
-        let time = match scene.moves() {
+        let time = match self.scene.moves() {
             true => stream.at(0, Purpose::Time).one(),
             false => 0.0,
         };
+        self.sample_emission_at(stream, time)
+    }
+
+    /// The same at the moment `time`, in `[0, 1]`.
+    pub fn sample_emission_at(&self, stream: &Stream, time: f32) -> Option<EmissionSample> {
+        let scene = self.scene;
         let mut numbers = stream.at(0, Purpose::Emission);
         let (place, direction) = (numbers.two(), numbers.two());
         let choice = &scene.emission_choice;

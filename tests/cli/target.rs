@@ -138,6 +138,17 @@ fn goals_that_make_no_sense() {
         &["render", "lamp", "--time", "1s", "--out", "p.jpg"],
         2,
     );
+    // The scatter of photons is not all of their error.
+    let photons = ["render", "lamp", "--integrator", "photons"];
+    refused(
+        folder.path(),
+        &[&photons[..], &["--target-error", "5%"]].concat(),
+        2,
+    );
+    let small = ["--spp", "4", "--size", "4x4"];
+    let output = halfdisk(folder.path(), &[&photons[..], &small].concat());
+    let text = complaint(&output);
+    assert!(text.contains("that error is noise alone"), "{text}");
 }
 
 #[cfg(unix)]

@@ -14,7 +14,7 @@ pub struct Plan {
     pub lines: Vec<Line>,
     /// The paths the scene can have, as an expression; `None` where no light reaches the eye.
     pub paths: Option<String>,
-    /// Light that is there, and that no integrator here finds.
+    /// Light that is there, and that no walk from the eye finds.
     pub out_of_reach: Option<OutOfReach>,
     /// What a reader of the scene file may want to know.
     pub notes: Vec<String>,
@@ -100,8 +100,8 @@ pub fn plan(scene: &Scene) -> Plan {
         paths: paths.to_string(),
         reason: "the way from a light without extent through mirrors or glass to a rough surface is \
                  one line, which a walk from the eye meets with probability 0, and shadow rays are \
-                 straight. Only walks that start at the light find it; every integrator here starts \
-                 at the eye, and reads exactly 0"
+                 straight: they read exactly 0. Only walks that start at the light find it: `light-tracer` \
+                 where it is not seen in a mirror or through glass, `photons` all of it, blurred"
             .to_owned(),
     });
     Plan {

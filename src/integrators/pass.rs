@@ -1,0 +1,136 @@
+//! What all pixels of a sample have in common: paths that start at the lights.
+
+use super::Integrator;
+use crate::color::Rgb;
+use crate::sampling::stream::{Purpose, Sampler, Stream};
+use crate::scene::{RayCounts, Scene, Tracer};
+use rayon::prelude::*;
+
+/// Paths that one thread traces before another asks for more.
+const CHUNK: u32 = 1 << 12;
+
+/// Random numbers of paths from the lights are none of those from the eye.
+const FROM_LIGHTS: u64 = 0x6c69_6768_7470_6174;
+
+/// An integrator whose samples are taken in passes: something is prepared for one sample of all pixels
+/// at once, before any of them is taken.
+pub trait Passes: Sync {
+    /// Prepares a pass; `None` where it was stopped.
+    ///
+    /// A pure function of its arguments: all randomness comes from the streams of [`Pass::trace`].
+    fn prepare<'a>(&'a self, pass: &Pass<'a>) -> Option<Prepared<'a>>;
+}
+
+/// What a pass adds to the samples of its pixels, or does for them.
+#[derive(Default)]
+pub struct Prepared<'a> {
+    /// The light of each pixel, row by row, in W/(m² sr), that is added to its sample of
+    /// [`Integrator::li`]; `None` for none.
+    pub light: Option<Vec<Rgb>>,
+    /// Who takes the samples of this pass; `None` for the integrator itself.
+    pub eye: Option<Box<dyn Integrator + 'a>>,
+    /// The rays that it took.
+    pub rays: RayCounts,
+}
+
+/// One sample of all pixels of a picture.
+#[derive(Clone, Copy)]
+pub struct Pass<'a> {
+    /// The scene.
+    pub scene: &'a Scene,
+    /// The number of the sample, 0 for the first.
+    pub sample: u32,
+    /// The picture's seed.
+    pub seed: u64,
+    /// How the samples of a path of one number lie to each other.
+    pub sampler: Sampler,
+    /// Integrals that are left out.
+    pub fixed: &'static [Purpose],
+    /// True once the work should end.
+    pub stop: &'a (dyn Fn() -> bool + Sync),
+}
+
+impl Pass<'_> {
+    /// The number of pixels.
+    pub fn pixels(&self) -> u32 {
+        self.scene.size[0].saturating_mul(self.scene.size[1])
+    }
+
+    /// A random moment in `[0, 1)` while the shutter is open, for passes that look at one only.
+    pub fn moment(&self) -> f32 {
+        match self.scene.moves() {
+            true => self.stream(0).at(0, Purpose::Time).one(),
+            false => 0.0,
+        }
+    }
+
+    /// The random numbers of a path.
+    fn stream(&self, path: u32) -> Stream {
+        let seed = self.seed ^ FROM_LIGHTS;
+        Stream::with(self.sampler, seed, path, self.sample).fixing(self.fixed)
+    }
+
+    /// Traces so many paths, each with a stream of its own; `path` is told where to leave what it finds.
+    ///
+    /// All of it in the order of the paths, whatever the threads, and the rays that it took; `None` where it
+    /// was stopped. Passes of other numbers are independent of it.
+    pub fn trace<T: Send>(
+        &self,
+        paths: u32,
+        path: impl Fn(&mut Tracer, &Stream, &mut dyn FnMut(T)) + Sync,
+    ) -> Option<(Vec<T>, RayCounts)> {
+        let chunk = |start: u32| {
+            let mut tracer = Tracer::new(self.scene);
+            let mut found = Vec::new();
+            for number in start..paths.min(start.saturating_add(CHUNK)) {
+                if (self.stop)() {
+                    return None;
+                }
+                path(&mut tracer, &self.stream(number), &mut |one| {
+                    found.push(one);
+                });
+            }
+            Some((found, tracer.counts()))
+        };
+        let starts: Vec<u32> = (0..paths).step_by(CHUNK as usize).collect();
+        let chunks: Option<Vec<_>> = starts.into_par_iter().map(chunk).collect();
+        let chunks = chunks?;
+        let mut all = Vec::with_capacity(chunks.iter().map(|(found, _)| found.len()).sum());
+        let mut rays = RayCounts::default();
+        for (found, counts) in chunks {
+            all.extend(found);
+            rays += counts;
+        }
+        Some((all, rays))
+    }
+
+    /// The light that paths bring to places `(s, t)` in `[0, 1)²` of the film, `s` to the right and `t`
+    /// downwards: as many paths as there are pixels, added up in their order.
+    ///
+    /// A path's light is that of one among so many: its mean, summed over the splats in a pixel and over all
+    /// paths, is the radiance of the pixel in W/(m² sr).
+    pub fn splat(
+        &self,
+        path: impl Fn(&mut Tracer, &Stream, &mut dyn FnMut([f32; 2], Rgb)) + Sync,
+    ) -> Option<Prepared<'static>> {
+        let [width, height] = self.scene.size;
+        let (splats, rays) = self.trace(self.pixels(), |tracer, stream, leave| {
+            path(tracer, stream, &mut |[s, t], light| {
+                let column = (s * width as f32).min(width as f32 - 1.0) as usize;
+                let row = (t * height as f32).min(height as f32 - 1.0) as usize;
+                leave((row * width as usize + column, light));
+            });
+        })?;
+        let mut sums = vec![[0.0_f64; 3]; width as usize * height as usize];
+        for (pixel, light) in splats {
+            let channels = sums[pixel].iter_mut().zip(light.channels());
+            channels.for_each(|(sum, x)| *sum += f64::from(x));
+        }
+        let light = sums.into_iter().map(|sum| Rgb::from(sum.map(|x| x as f32)));
+        Some(Prepared {
+            light: Some(light.collect()),
+            rays,
+            ..Prepared::default()
+        })
+    }
+}
