@@ -27,10 +27,10 @@
 //!    dimension is, so that one source serves both
 //! 4. [`materials`]: materials, and the BSDF at a point; [`lights`]; [`camera`]
 //! 5. [`scene`]: from a file to something rays can intersect; [`flatland`]: the same in the flat world
-//! 6. [`integrators`]: the stages of the algorithm, side by side, in any [`integrators::world::World`];
-//!    [`radiosity`]: light on patches, solved at once; [`photons`]: where light lands
-//! 7. [`render`]: the pixel loop and the film; [`output`]: pictures as files
-//! 8. [`lab`]: the laboratory, which the modules above never use: [`lab::effects`], what a scene calls
+//! 6. [`radiosity`]: light on patches, solved at once; [`photons`]: where light from the lights lands
+//! 7. [`integrators`]: the stages of the algorithm, side by side, in any [`integrators::world::World`]
+//! 8. [`render`]: the pixel loop and the film; [`output`]: pictures as files
+//! 9. [`lab`]: the laboratory, which the modules above never use: [`lab::effects`], what a scene calls
 //!    for; [`lab::estimators`], smaller questions than a picture; [`lab::mistakes`] and [`lab::doctor`],
 //!    wrong estimators and how to tell them; [`lab::experiment`], repeated runs that end in data;
 //!    [`lab::drawing`] and [`lab::figures`], charts; [`lab::chapter`] and [`lab::ledger`], what chapters share

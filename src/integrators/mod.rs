@@ -30,6 +30,7 @@ mod pass;
 mod path;
 mod photons;
 mod prepare;
+mod radiosity;
 mod roulette;
 mod tree;
 mod views;
@@ -37,7 +38,7 @@ mod which_ray;
 mod whitted;
 pub mod world;
 
-pub use crate::radiosity::Radiosity;
+pub use crate::radiosity::Watch;
 pub use asked::{ENOUGH, RarelyAsked, rarely_asked};
 pub use combine::{Combine, Shares};
 pub use distributed::{Distributed, Integral};
@@ -49,7 +50,8 @@ pub use observer::{AllLight, FilteredPath, PathFilter, PathObserver};
 pub use pass::{Pass, Passes, Prepared};
 pub use path::Path;
 pub use photons::Photons;
-pub use prepare::{Refused, Settings, Watch};
+pub use prepare::{Refused, Settings};
+pub use radiosity::Radiosity;
 pub use roulette::{Roulette, Survival};
 pub use tree::{Met, RayKind, RecordedRay, TreeCount, TreeObserver, TreeRay, TreeRecord};
 pub use views::{Albedo, Depth, Normals};
@@ -58,7 +60,7 @@ pub use whitted::{Whitted, direct_light};
 
 use crate::color::Rgb;
 use crate::geometry::Ray;
-use crate::radiosity;
+use crate::radiosity::Report;
 use crate::sampling::stream::Stream;
 use crate::scene::Tracer;
 use crate::space::Solid;
@@ -117,7 +119,7 @@ pub trait Integrator: Sync {
     }
 
     /// What it found out about the scene while it was made; `None` for those that did not look.
-    fn solved(&self) -> Option<&radiosity::Report> {
+    fn solved(&self) -> Option<&Report> {
         None
     }
 
@@ -137,7 +139,7 @@ impl<I: Integrator + ?Sized> Integrator for Box<I> {
         (**self).passes()
     }
 
-    fn solved(&self) -> Option<&radiosity::Report> {
+    fn solved(&self) -> Option<&Report> {
         (**self).solved()
     }
 

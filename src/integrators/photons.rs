@@ -216,7 +216,7 @@ impl Passes for Photons {
         let walks = walks.unwrap_or_else(|| pass.pixels().min(Self::MOST_WALKS));
         let (first, mut rays) = match self.radius {
             Some(radius) => (radius, RayCounts::default()),
-            None => radius::first(pass, walks),
+            None => radius::first(pass.scene, walks),
         };
         let radius = f64::from(first) * radius::shrunk(self.alpha, pass.sample);
         // Photons lie where surfaces are at one moment, and are looked at there.

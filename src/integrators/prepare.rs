@@ -1,6 +1,6 @@
 //! What integrators are made with, and what those do that look at the scene beforehand.
 
-use crate::radiosity::{PatchSize, RadiosityError};
+use crate::radiosity::{PatchSize, RadiosityError, Watch};
 
 /// What an integrator is made with.
 #[derive(Clone, Copy)]
@@ -21,22 +21,6 @@ impl Settings<'_> {
             patches: PatchSize::default(),
             watch: &(),
         }
-    }
-}
-
-/// Who watches while an integrator is made.
-pub trait Watch: Sync {
-    /// `done` of `total` parts of the work are finished.
-    fn tell(&self, done: u64, total: u64);
-    /// True to give up soon.
-    fn stop(&self) -> bool;
-}
-
-/// Nobody watches and nobody stops.
-impl Watch for () {
-    fn tell(&self, _: u64, _: u64) {}
-    fn stop(&self) -> bool {
-        false
     }
 }
 

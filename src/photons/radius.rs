@@ -1,7 +1,6 @@
 //! How large the discs are over which photons are counted, and how fast they shrink.
 
-use crate::integrators::Pass;
-use crate::scene::{RayCounts, Tracer};
+use crate::scene::{RayCounts, Scene, Tracer};
 
 /// The radius of the first pass, in pixels as they see the scene.
 const PIXELS: f64 = 2.0;
@@ -37,8 +36,7 @@ pub fn shrunk(alpha: f64, sample: u32) -> f64 {
 /// through the picture meet. With fewer paths than pixels it is larger, so that as many photons fall on a disc. At
 /// most an eighth of the radius of the ball around the scene, also where these rays meet nothing; 0 where
 /// that ball is empty or has no bounds.
-pub fn first(pass: &Pass, walks: u32) -> (f32, RayCounts) {
-    let scene = pass.scene;
+pub fn first(scene: &Scene, walks: u32) -> (f32, RayCounts) {
     let mut tracer = Tracer::new(scene);
     let middle = |i: u8| (f32::from(i) + 0.5) / f32::from(LOOKS);
     let places = (0..LOOKS).flat_map(|i| (0..LOOKS).map(move |j| [middle(i), middle(j)]));

@@ -4,13 +4,40 @@ use super::Watch;
 use super::error::RadiosityError;
 use super::patches::{Patch, PatchSize};
 use super::quadrature::{gauss_legendre, points_on};
-use super::solution::Solution;
+use super::solution::{Effort, Solution};
 use super::system::Channels;
 use crate::geometry::Surface;
 use crate::sampling::frame::Frame;
 use crate::sampling::hemisphere;
 use crate::sampling::stream::{Purpose, Stream};
 use crate::scene::{Scene, Tracer};
+
+/// What was found out while patches were lit.
+#[derive(Clone, Copy, Debug, PartialEq, serde::Serialize)]
+pub struct Report {
+    /// What it took.
+    pub effort: Effort,
+    /// Pieces of surface left out because others lie in their very place.
+    pub hidden: usize,
+    /// The root mean square error of the indirect light that comes of the patches' size, relative to its
+    /// mean; `None` where the patches cannot be any larger, to compare with.
+    pub mesh_error: Option<f64>,
+}
+
+impl Report {
+    /// Measures the error of a solution.
+    pub fn new(
+        scene: &Scene,
+        solution: &Solution,
+        watch: &dyn Watch,
+    ) -> Result<Self, RadiosityError> {
+        Ok(Report {
+            effort: solution.effort,
+            hidden: solution.patches.hidden,
+            mesh_error: estimate(scene, solution, watch)?,
+        })
+    }
+}
 
 /// Points at which the light is compared.
 const POINTS: usize = 512;
@@ -25,7 +52,7 @@ const SEED: u64 = 0x6d65_7368;
 /// Where the error falls at least as fast as the size of the patches it is at most about that distance.
 /// Both solutions are asked along the same rays. The product of the mean differences of two halves of them
 /// has the squared distance as its expectation, whatever the noise of either.
-pub(super) fn estimate(
+fn estimate(
     scene: &Scene,
     fine: &Solution,
     watch: &dyn Watch,

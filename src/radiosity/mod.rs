@@ -8,7 +8,9 @@
 //! * [`FormFactors`]: how much patches see of each other, a [`Matrix`].
 //! * [`System`]: solved by Gauss-Seidel, Jacobi or Southwell.
 //! * [`Solution`]: looked at as it is, interpolated, or gathered once more.
-//! * [`Radiosity`]: all of it as an integrator.
+//!
+//! The integrator that asks for direct light and looks up the rest is
+//! [`integrators::Radiosity`](crate::integrators::Radiosity).
 //!
 //! Source: Goral, Torrance, Greenberg, Battaile, Modeling the Interaction of Light Between Diffuse
 //! Surfaces (SIGGRAPH 1984); Cohen, Wallace, Radiosity and Realistic Image Synthesis (1993).
@@ -17,7 +19,6 @@ mod direct;
 mod error;
 mod factors;
 pub mod flat;
-mod integrator;
 mod lambert;
 mod matrix;
 mod mesh_error;
@@ -27,15 +28,15 @@ mod quadrature;
 mod solution;
 mod system;
 mod touching;
+mod watch;
 
 pub use error::{MOST_PATCHES, RadiosityError};
 pub use factors::FormFactors;
-pub use integrator::{Radiosity, Report};
 pub use lambert::point_to_polygon;
 pub use matrix::Matrix;
+pub use mesh_error::Report;
 pub use patches::{Patch, PatchSize, Patches};
 pub use quadrature::{gauss_legendre, points_on};
 pub use solution::{Effort, POINTS, Solution, system};
 pub use system::{Channels, Solved, System};
-
-pub use crate::integrators::Watch;
+pub use watch::Watch;

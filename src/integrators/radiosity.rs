@@ -10,14 +10,12 @@
 //! Surfaces (SIGGRAPH 1984); Reichert, A Two-Pass Radiosity Method Driven by Lights and Viewer Position
 //! (MSc thesis, Cornell 1992), for the final gather.
 
-use super::patches::PatchSize;
-use super::solution::{Effort, Solution};
-use super::{RadiosityError, Watch, mesh_error};
+use super::world::World;
+use super::{Entry, Finds, Found, Integrator};
 use crate::color::Rgb;
 use crate::geometry::Ray;
-use crate::integrators::world::World;
-use crate::integrators::{Entry, Finds, Found, Integrator};
 use crate::materials::{Bsdf, Event};
+use crate::radiosity::{PatchSize, RadiosityError, Report, Solution, Watch};
 use crate::sampling::hemisphere;
 use crate::sampling::stream::{Purpose, Stream};
 use crate::scene::{Interaction, Scene, Tracer};
@@ -30,18 +28,6 @@ pub struct Radiosity {
     pub max_depth: u32,
     solution: Solution,
     report: Report,
-}
-
-/// What was found out while patches were lit.
-#[derive(Clone, Copy, Debug, PartialEq, serde::Serialize)]
-pub struct Report {
-    /// What it took.
-    pub effort: Effort,
-    /// Pieces of surface left out because others lie in their very place.
-    pub hidden: usize,
-    /// The root mean square error of the indirect light that comes of the patches' size, relative to its
-    /// mean; `None` where the patches cannot be any larger, to compare with.
-    pub mesh_error: Option<f64>,
 }
 
 /// Why it finds no other light.
@@ -95,11 +81,7 @@ impl Radiosity {
         watch: &dyn Watch,
     ) -> Result<Self, RadiosityError> {
         let solution = Solution::new(scene, size, watch)?;
-        let report = Report {
-            effort: solution.effort,
-            hidden: solution.patches.hidden,
-            mesh_error: mesh_error::estimate(scene, &solution, watch)?,
-        };
+        let report = Report::new(scene, &solution, watch)?;
         Ok(Radiosity {
             max_depth,
             solution,
