@@ -34,7 +34,7 @@
 //!    for; [`lab::estimators`], smaller questions than a picture; [`lab::mistakes`] and [`lab::doctor`],
 //!    wrong estimators and how to tell them; [`lab::experiment`], repeated runs that end in data;
 //!    [`lab::drawing`] and [`lab::figures`], charts; [`lab::chapter`] and [`lab::ledger`], what chapters share
-//! 9. [`cli`]: the command
+//! 10. [`cli`]: the command
 //!
 //! The charts, what chapters share, and the command belong to the feature `programs`, which is on
 //! unless `default-features = false` is said: then the library is the renderer alone, reads and

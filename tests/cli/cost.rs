@@ -77,7 +77,7 @@ fn a_scene_of_ones_own_and_json() {
     assert!(output.status.success(), "{}", complaint(&output));
     let json: Value = serde_json::from_slice(&output.stdout).unwrap();
     // Lamps without extent: walks by chance cannot render this.
-    assert_eq!(json["methods"].as_array().unwrap().len(), 8);
+    assert_eq!(json["methods"].as_array().unwrap().len(), 9);
     let page = std::fs::read_to_string(folder.path().join("here/index.html")).unwrap();
     assert!(page.contains("kajiya: a random walk never meets a point or a direction"));
 }
