@@ -149,7 +149,13 @@ fn patches_are_asked_for_where_there_are_some() {
             "--target-error",
         ),
     ] {
-        let sentence = refused(folder.path(), arguments, 2);
+        let output = halfdisk(folder.path(), arguments);
+        assert_eq!(output.status.code(), Some(2), "{arguments:?}");
+        let sentence = complaint(&output);
+        assert!(
+            sentence.starts_with("error: "),
+            "{arguments:?}: {sentence:?}"
+        );
         assert!(sentence.contains(what), "{arguments:?}: {sentence}");
     }
 }

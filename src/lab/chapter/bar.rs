@@ -5,6 +5,7 @@ use crate::integrators::Watch;
 use crate::render::Progress;
 use crate::render::stopping::{Pilot, Prediction, Reached};
 use indicatif::{ProgressBar, ProgressStyle};
+use std::io::IsTerminal;
 use std::sync::atomic::{AtomicBool, Ordering};
 
 /// Shows how far a render is, and passes on a wish to stop.
@@ -18,6 +19,14 @@ pub struct Bar {
 impl Bar {
     /// A bar labelled `what` that stops its render once `stop` is true.
     pub fn new(what: &str, stop: &'static AtomicBool) -> Self {
+        // Where there is no terminal, a bar that is cleared would leave an empty line.
+        if !std::io::stderr().is_terminal() {
+            return Bar {
+                bar: ProgressBar::hidden(),
+                stop,
+                speaks: true,
+            };
+        }
         let bar = ProgressBar::new(0).with_message(what.to_owned());
         let template = "{msg}  [{bar:32}] {percent:>3} %  {elapsed} gone, {eta} left{prefix}";
         if let Ok(style) = ProgressStyle::with_template(template) {
@@ -42,10 +51,7 @@ impl Bar {
 
 impl Drop for Bar {
     fn drop(&mut self) {
-        // Cleared where it was never drawn it would leave an empty line.
-        if !self.bar.is_hidden() && self.bar.position() > 0 {
-            self.bar.finish_and_clear();
-        }
+        self.bar.finish_and_clear();
     }
 }
 
