@@ -5,10 +5,9 @@ use super::pieces::Pieces;
 use super::quadrature::{area_vector, gauss_legendre, points_on};
 use super::system::Channels;
 use super::touching::Outline;
-use crate::geometry::Shape;
 use crate::numeric::gamma;
 use crate::scene::{Facet, Scene};
-use glam::DVec3;
+use glam::{DVec3, Vec3};
 use std::collections::BTreeMap;
 
 /// How small patches are.
@@ -287,18 +286,16 @@ fn sides(scene: &Scene) -> Result<Vec<Side<'_>>, RadiosityError> {
     if scene.has_instances() {
         return Err(RadiosityError::Shared(scene.report.instances));
     }
-    let [mut spheres, mut diffuse] = [0, 0];
+    let [mut round, mut diffuse] = [0, 0];
     let mut sides = Vec::new();
     for facet in scene.facets() {
         let scatters = facet.scatters_diffusely();
-        let polygon: Vec<DVec3> = match facet.shape {
-            Shape::Sphere(_) => {
-                spheres += usize::from(scatters);
-                continue;
-            }
-            Shape::Quad(quad) => quad.corners().map(|c| c.as_dvec3()).to_vec(),
-            Shape::Triangle(t) => [t.a, t.b, t.c].map(|c| c.as_dvec3()).to_vec(),
-        };
+        let corners = facet.shape.corners();
+        if corners.is_empty() {
+            round += usize::from(scatters);
+            continue;
+        }
+        let polygon: Vec<DVec3> = corners.into_iter().map(Vec3::as_dvec3).collect();
         diffuse += usize::from(scatters);
         let close = rounding(&polygon);
         let normal = area_vector(&polygon).normalize_or_zero();
@@ -308,7 +305,7 @@ fn sides(scene: &Scene) -> Result<Vec<Side<'_>>, RadiosityError> {
             facet,
         });
     }
-    match (spheres, diffuse) {
+    match (round, diffuse) {
         (0, 0) => Err(RadiosityError::NothingDiffuse),
         (0, _) => Ok(sides),
         (n, _) => Err(RadiosityError::Spheres(n)),
