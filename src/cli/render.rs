@@ -175,7 +175,10 @@ impl Render {
         if !self.quiet
             && let Some(left_out) = &left_out
         {
-            tell(left_out.notes(&scene));
+            let notes = left_out.notes(&scene);
+            if !notes.is_empty() {
+                tell(notes.trim_end());
+            }
         }
         let (mut solved, mut kept_integrator) = (None, None);
         let outcome = match &wanted {

@@ -5,7 +5,6 @@ use crate::integrators::Watch;
 use crate::render::Progress;
 use crate::render::stopping::{Pilot, Prediction, Reached};
 use indicatif::{ProgressBar, ProgressStyle};
-use std::io::IsTerminal;
 use std::sync::atomic::{AtomicBool, Ordering};
 
 /// Shows how far a render is, and passes on a wish to stop.
@@ -19,14 +18,6 @@ pub struct Bar {
 impl Bar {
     /// A bar labelled `what` that stops its render once `stop` is true.
     pub fn new(what: &str, stop: &'static AtomicBool) -> Self {
-        // Where there is no terminal, a bar that is cleared would leave an empty line.
-        if !std::io::stderr().is_terminal() {
-            return Bar {
-                bar: ProgressBar::hidden(),
-                stop,
-                speaks: true,
-            };
-        }
         let bar = ProgressBar::new(0).with_message(what.to_owned());
         let template = "{msg}  [{bar:32}] {percent:>3} %  {elapsed} gone, {eta} left{prefix}";
         if let Ok(style) = ProgressStyle::with_template(template) {
