@@ -141,10 +141,10 @@ impl Shape {
 
     /// Numbers that no other shape has, from whichever corner it was told: its kind, and where it is.
     pub fn key(&self) -> Vec<u32> {
-        let mut points = match self {
+        let (kind, points) = match self {
             Shape::Sphere(s) => {
                 let inward = f32::from(u8::from(s.inward));
-                vec![s.center, Vec3::new(s.radius, inward, 0.0)]
+                (0, vec![s.center, Vec3::new(s.radius, inward, 0.0)])
             }
             Shape::Quad(_) | Shape::Triangle(_) => {
                 let mut corners = self.corners();
@@ -153,13 +153,13 @@ impl Shape {
                     p.partial_cmp(&q).unwrap_or(std::cmp::Ordering::Equal)
                 });
                 corners.rotate_left(first.unwrap_or(0));
-                corners
+                (corners.len() as u32, corners)
             }
         };
-        points.insert(0, Vec3::X * points.len() as f32);
         // Zeros of both signs are one place.
         let bits = |p: &Vec3| p.to_array().map(|x| (x + 0.0).to_bits());
-        points.iter().flat_map(bits).collect()
+        let place = points.iter().flat_map(bits);
+        std::iter::once(kind).chain(place).collect()
     }
 
     /// The smallest axis-aligned box that holds the shape.

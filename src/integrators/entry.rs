@@ -16,7 +16,7 @@ pub struct Entry {
     /// The same in a sentence, for who has to choose one.
     pub help: &'static str,
     /// How it is made: see [`Entry::prepare`].
-    pub(crate) make: Make,
+    pub(super) make: Make,
     /// What its pictures show.
     pub shows: Shows,
     /// The longest path it can follow, in segments.
@@ -29,11 +29,11 @@ pub struct Entry {
 }
 
 /// Makes an integrator for a scene, or refuses.
-pub(crate) type MakePrepared = fn(&Scene, &Settings) -> Result<Box<dyn Integrator>, Refused>;
+pub(super) type MakePrepared = fn(&Scene, &Settings) -> Result<Box<dyn Integrator>, Refused>;
 
 /// How an integrator is made.
 #[derive(Clone, Copy, Debug)]
-pub(crate) enum Make {
+pub(super) enum Make {
     /// From the longest path that it follows, in segments.
     Plain(fn(max_depth: u32) -> Box<dyn Integrator>),
     /// From the scene.
@@ -120,7 +120,7 @@ impl Entry {
     }
 
     /// An integrator of light that looks at the scene before it answers.
-    pub(crate) const fn of_solved_light(
+    pub(super) const fn of_solved_light(
         names: [&'static str; 3],
         finds: Finds,
         make: MakePrepared,

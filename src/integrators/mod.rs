@@ -38,7 +38,6 @@ mod which_ray;
 mod whitted;
 pub mod world;
 
-pub use crate::radiosity::Watch;
 pub use asked::{ENOUGH, RarelyAsked, rarely_asked};
 pub use combine::{Combine, Shares};
 pub use distributed::{Distributed, Integral};

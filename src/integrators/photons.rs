@@ -291,7 +291,7 @@ mod tests {
             ..Photons::new(3)
         };
         let ours = film(&scene, &photons, 1024).mean().0;
-        println!("{ours} for {truth}, of which {direct} is straight from the lamp");
+        println!("{ours} for {truth}; {direct} comes straight from the lamp");
         assert!(direct < 0.9 * truth, "{direct} {truth}");
         assert!((ours / truth - 1.0).abs() < 0.03, "{ours} {truth}");
     }

@@ -250,11 +250,6 @@ impl EmissionChoice {
         &self.around
     }
 
-    /// All power that the lights emit into the scene, in W, mean over channels.
-    pub fn power(&self) -> f64 {
-        self.by_power.as_ref().map_or(0.0, Discrete::total)
-    }
-
     /// The index of a light, its probability and a uniform that is left of `u` in `[0, 1)`; `None` where
     /// none emits.
     pub fn choose(&self, u: f64) -> Option<(usize, f32, f64)> {

@@ -2,8 +2,8 @@
 
 use super::{CUBE, scene};
 use glam::DVec3;
-use halfdisk::integrators::{Radiosity, Settings, Watch};
-use halfdisk::radiosity::{Patch, PatchSize, Patches, RadiosityError, Solution};
+use halfdisk::integrators::{Radiosity, Settings};
+use halfdisk::radiosity::{Patch, PatchSize, Patches, RadiosityError, Solution, Watch};
 
 fn refused(text: &str, size: PatchSize) -> String {
     match Solution::new(&scene(text), size, &()) {

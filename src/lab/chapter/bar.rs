@@ -1,7 +1,7 @@
 //! A progress bar with the time left, on stderr; silent where that is no terminal.
 
 use super::tell;
-use crate::integrators::Watch;
+use crate::radiosity::Watch;
 use crate::render::Progress;
 use crate::render::stopping::{Pilot, Prediction, Reached};
 use indicatif::{ProgressBar, ProgressStyle};
