@@ -3,7 +3,9 @@
 use crate::checks::{alike, unlike};
 use halfdisk::color::Rgb;
 use halfdisk::geometry::Ray;
-use halfdisk::integrators::{FilteredPath, Integrator, LightTracer, Pass, Passes, Path, Prepared};
+use halfdisk::integrators::{
+    Arrival, FilteredPath, Integrator, LightTracer, Pass, Passes, Path, Prepared,
+};
 use halfdisk::notation::Expression;
 use halfdisk::render::{Options, Rendered, compare, render};
 use halfdisk::sampling::stream::{Sampler, Stream};
@@ -70,16 +72,16 @@ impl Integrator for Wrong {
         LightTracer { max_depth: 6 }.li(tracer, ray, stream)
     }
 
-    fn passes(&self) -> Option<&dyn Passes> {
+    fn passes(&self, _: &Scene) -> Option<&dyn Passes> {
         Some(self)
     }
 }
 
 impl Passes for Wrong {
     fn prepare<'a>(&'a self, pass: &Pass<'a>) -> Option<Prepared<'a>> {
-        pass.splat(|tracer, stream, splat| {
+        pass.splat(pass.pixels(), |tracer, stream, splat| {
             LightTracer { max_depth: 6 }.trace(tracer, stream, &mut |film, light| {
-                splat(film, light * (self.0)(film));
+                splat(film, light * (self.0)(film), Arrival::Counts);
             });
         })
     }
@@ -130,8 +132,10 @@ fn a_slab_of_glass_lets_the_light_of_a_point_through() {
     let share = 12.0 / 13.0;
     let (mean, error) = bare.mean();
     alike("slab", through.mean(), (share * mean, share * error), 0.065);
-    let path = rendered(&scene(slab), &Path::new(12), 64, 3);
+    let path = rendered(&scene(slab), &Path::from_eye(12), 64, 3);
     assert_eq!(path.mean().0, 0.0, "no walk from the eye meets a point");
+    let path = rendered(&scene(slab), &Path::new(12), 1024, 3);
+    alike("path", path.mean(), through.mean(), 0.11);
 }
 
 #[test]

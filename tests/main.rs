@@ -7,6 +7,7 @@
 )]
 
 mod aiming;
+mod caustics;
 mod chapters;
 mod checks;
 mod cli;

@@ -271,7 +271,7 @@ fn power_is_neither_made_nor_lost() {
         stop: &|| false,
     };
     let walks = 1 << 16;
-    let traced = pass.trace(walks, |tracer, stream, leave| {
+    let traced = pass.trace(0..walks, |tracer, stream, leave| {
         photons.trace(tracer, pass.moment(), stream, leave);
     });
     let (found, rays) = traced.unwrap();

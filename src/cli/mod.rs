@@ -12,6 +12,7 @@ mod demand;
 mod doctor;
 mod effects;
 mod left_out;
+mod light_paths;
 mod maps;
 mod page;
 mod patching;

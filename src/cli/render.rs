@@ -3,6 +3,7 @@
 use super::answer::{print, to_json};
 use super::demand::{Demand, bias};
 use super::left_out::LeftOut;
+use super::light_paths::LightPaths;
 use super::maps::Maps;
 use super::patching::{Patched, Patching};
 use super::report::Report;
@@ -59,6 +60,8 @@ pub struct Render {
     /// [default: out/FILE.png after the scene's file; by another integrator than path out/FILE-NAME.png]
     #[arg(long, value_name = "FILE")]
     out: Option<PathBuf>,
+    #[command(flatten)]
+    light_paths: LightPaths,
     #[command(flatten)]
     patching: Patching,
     #[command(flatten)]
@@ -157,6 +160,7 @@ impl Render {
             )));
         }
         let max_depth = self.max_depth(&scene)?;
+        self.light_paths.check(self.integrator)?;
         self.patching
             .check(self.integrator, self.ending.goal().error.is_some())?;
         // Checked before any work, so that none is lost to a misspelt name or a closed folder.
@@ -192,7 +196,10 @@ impl Render {
                 outcome
             }
             Some(wanted) => {
-                let path = PathTracer::new(max_depth);
+                let path = PathTracer {
+                    light_paths: self.light_paths.asked(),
+                    ..PathTracer::new(max_depth)
+                };
                 let paths = &wanted.eye_first;
                 self.with(&scene, &FilteredPath { path, paths })
             }
@@ -297,6 +304,7 @@ impl Render {
         let settings = Settings {
             max_depth,
             patches: self.patching.size(),
+            light_paths: self.light_paths.asked(),
             watch: &bar,
         };
         let made = self.integrator.prepare(scene, &settings);

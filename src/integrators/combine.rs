@@ -47,9 +47,9 @@ impl Combine {
             "The walk of next-event with both techniques weighted: aiming at every lamp, and finding it by chance",
         ],
         Finds::BY_AIMING,
-        |max_depth| {
+        |settings| {
             Box::new(Combine {
-                max_depth,
+                max_depth: settings.max_depth,
                 heuristic: Heuristic::Power,
             })
         },

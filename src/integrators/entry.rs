@@ -34,8 +34,8 @@ pub(super) type MakePrepared = fn(&Scene, &Settings) -> Result<Box<dyn Integrato
 /// How an integrator is made.
 #[derive(Clone, Copy, Debug)]
 pub(super) enum Make {
-    /// From the longest path that it follows, in segments.
-    Plain(fn(max_depth: u32) -> Box<dyn Integrator>),
+    /// At once, for any scene.
+    Plain(fn(&Settings) -> Box<dyn Integrator>),
     /// From the scene.
     Prepared(MakePrepared),
 }
@@ -114,7 +114,7 @@ impl Entry {
     pub(super) const fn of_light(
         names: [&'static str; 3],
         finds: Finds,
-        make: fn(u32) -> Box<dyn Integrator>,
+        make: fn(&Settings) -> Box<dyn Integrator>,
     ) -> Entry {
         Entry::new(names, finds, Make::Plain(make))
     }
@@ -145,7 +145,7 @@ impl Entry {
     pub(super) const fn of_geometry(
         [name, about, help]: [&'static str; 3],
         white: Option<f64>,
-        make: fn(u32) -> Box<dyn Integrator>,
+        make: fn(&Settings) -> Box<dyn Integrator>,
     ) -> Entry {
         Entry {
             shows: Shows::Geometry { white },
@@ -163,16 +163,13 @@ impl Entry {
         scene: &Scene,
         settings: &Settings,
     ) -> Result<Box<dyn Integrator>, Refused> {
-        let max_depth = settings.max_depth.min(self.longest);
+        let settings = Settings {
+            max_depth: settings.max_depth.min(self.longest),
+            ..*settings
+        };
         match self.make {
-            Make::Plain(make) => Ok(make(max_depth)),
-            Make::Prepared(make) => make(
-                scene,
-                &Settings {
-                    max_depth,
-                    ..*settings
-                },
-            ),
+            Make::Plain(make) => Ok(make(&settings)),
+            Make::Prepared(make) => make(scene, &settings),
         }
     }
 

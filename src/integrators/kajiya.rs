@@ -35,7 +35,11 @@ impl Kajiya {
              directional lights never",
         ],
         Finds::BY_CHANCE,
-        |max_depth| Box::new(Kajiya { max_depth }),
+        |settings| {
+            Box::new(Kajiya {
+                max_depth: settings.max_depth,
+            })
+        },
     );
 }
 

@@ -15,12 +15,13 @@
 //! Light Transport Simulation (1997), chapter 4: the adjoint of a BSDF is the BSDF with its two directions
 //! exchanged.
 
+use super::from_light::{scatter, to_eye};
 use super::world::World;
-use super::{Entry, Finds, Found, Integrator, Pass, Passes, Prepared, Survival};
+use super::{Arrival, Entry, Finds, Found, Integrator, Pass, Passes, Prepared, Survival};
 use crate::color::Rgb;
 use crate::geometry::Ray;
 use crate::sampling::stream::{Purpose, Stream};
-use crate::scene::{Interaction, Tracer};
+use crate::scene::{Scene, Tracer};
 
 /// Walks from the lights.
 #[derive(Clone, Copy, Debug)]
@@ -51,7 +52,11 @@ impl LightTracer {
             },
             by_chance: false,
         },
-        |max_depth| Box::new(LightTracer { max_depth }),
+        |settings| {
+            Box::new(LightTracer {
+                max_depth: settings.max_depth,
+            })
+        },
     );
 }
 
@@ -68,14 +73,18 @@ impl Integrator for LightTracer {
         tracer.emitted(ray, hit.as_ref())
     }
 
-    fn passes(&self) -> Option<&dyn Passes> {
+    fn passes(&self, _: &Scene) -> Option<&dyn Passes> {
         Some(self)
     }
 }
 
 impl Passes for LightTracer {
     fn prepare<'a>(&'a self, pass: &Pass<'a>) -> Option<Prepared<'a>> {
-        pass.splat(|tracer, stream, splat| self.trace(tracer, stream, splat))
+        pass.splat(pass.pixels(), |tracer, stream, splat| {
+            self.trace(tracer, stream, &mut |film, light| {
+                splat(film, light, Arrival::Counts);
+            });
+        })
     }
 }
 
@@ -102,16 +111,16 @@ impl LightTracer {
 
             // The light that is scattered from here straight to the eye.
             let vertex = u64::from(depth);
-            if let Some((film, received)) = received(tracer, &here, vertex, stream) {
+            if let Some((film, received)) = to_eye(tracer, &here, vertex, stream) {
                 splat(film, power * received);
             }
 
             // Choose where to go next: the BSDF as seen by who sends the light.
-            let Some(step) = tracer.sample_bsdf(&here, vertex, stream) else {
+            let Some(step) = scatter(tracer, &here, vertex, stream) else {
                 break;
             };
             power *= step.weight;
-            throughput *= step.weight;
+            throughput *= step.bsdf_weight;
             ray = step.ray;
 
             // Does the walk go on?
@@ -127,26 +136,3 @@ impl LightTracer {
     }
     // ANCHOR_END: light_tracer
 }
-
-// ANCHOR: received
-/// Where on the film the light arrives that a surface scatters to the eye, and how much of each watt that
-/// falls on the surface: `f cos θ / d²` times what the film makes of it. `None` where none arrives.
-fn received(
-    tracer: &mut Tracer,
-    at: &Interaction,
-    vertex: u64,
-    stream: &Stream,
-) -> Option<([f32; 2], Rgb)> {
-    let bsdf = at.bsdf.as_ref().filter(|bsdf| bsdf.is_smooth())?;
-    let u = stream.at(vertex, Purpose::Lens).two();
-    let eye = tracer.scene().camera.connect(at.surface.p, u)?;
-    let toward = (eye.point.as_dvec3() - at.surface.p.as_dvec3()).as_vec3();
-    let distance2 = toward.length_squared();
-    let wi = at.frame.to_local(toward / distance2.sqrt());
-    let received = bsdf.f(at.wo, wi) * (wi.z.abs() / distance2 * eye.importance);
-    let arrives = !received.is_black()
-        && received.is_finite()
-        && tracer.unoccluded(&at.surface.spawn_to_point(eye.point));
-    arrives.then_some((eye.film, received))
-}
-// ANCHOR_END: received

@@ -19,9 +19,11 @@
 //! a flag of another one. They share the floors below, never each other's lines.
 
 mod asked;
+mod caustics;
 mod combine;
 mod distributed;
 mod entry;
+mod from_light;
 mod kajiya;
 mod light_tracer;
 mod next_event;
@@ -39,14 +41,15 @@ mod whitted;
 pub mod world;
 
 pub use asked::{ENOUGH, RarelyAsked, rarely_asked};
+pub use caustics::Caustics;
 pub use combine::{Combine, Shares};
 pub use distributed::{Distributed, Integral};
 pub use entry::{Entry, Finds, Found, Shows};
 pub use kajiya::Kajiya;
 pub use light_tracer::LightTracer;
 pub use next_event::NextEvent;
-pub use observer::{AllLight, FilteredPath, PathFilter, PathObserver};
-pub use pass::{Pass, Passes, Prepared};
+pub use observer::{AllLight, FilteredPath, FromEye, PathFilter, PathObserver};
+pub use pass::{Arrival, Pass, Passes, Prepared, Splat, Splats};
 pub use path::Path;
 pub use photons::Photons;
 pub use prepare::{Refused, Settings};
@@ -61,7 +64,7 @@ use crate::color::Rgb;
 use crate::geometry::Ray;
 use crate::radiosity::Report;
 use crate::sampling::stream::Stream;
-use crate::scene::Tracer;
+use crate::scene::{Scene, Tracer};
 use crate::space::Solid;
 use glam::DVec3;
 
@@ -111,9 +114,9 @@ pub trait Integrator: Sync {
     /// `tracer`.
     fn li(&self, tracer: &mut Tracer, ray: &Ray, stream: &Stream) -> Rgb;
 
-    /// What is prepared for each sample of all pixels at once; `None` where pixels need nothing of the
-    /// kind. [`Integrator::li`] alone is then a part of the light.
-    fn passes(&self) -> Option<&dyn Passes> {
+    /// What is prepared for each sample of all pixels at once; `None` where the pixels of a scene need nothing of
+    /// the kind. Where there is something, [`Integrator::li`] alone is a part of the light.
+    fn passes(&self, _scene: &Scene) -> Option<&dyn Passes> {
         None
     }
 
@@ -134,8 +137,8 @@ impl<I: Integrator + ?Sized> Integrator for Box<I> {
         (**self).li(tracer, ray, stream)
     }
 
-    fn passes(&self) -> Option<&dyn Passes> {
-        (**self).passes()
+    fn passes(&self, scene: &Scene) -> Option<&dyn Passes> {
+        (**self).passes(scene)
     }
 
     fn solved(&self) -> Option<&Report> {

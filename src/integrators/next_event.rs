@@ -44,7 +44,11 @@ impl NextEvent {
              noise; of point and directional lights LD(S|D)*E",
         ],
         Finds::BY_AIMING,
-        |max_depth| Box::new(NextEvent { max_depth }),
+        |settings| {
+            Box::new(NextEvent {
+                max_depth: settings.max_depth,
+            })
+        },
     );
 }
 

@@ -1,12 +1,12 @@
 //! What becomes of the light that a path finds: all of it counts, or that of some paths only.
 
-use super::{Integrator, Path};
+use super::{Arrival, Integrator, Pass, Passes, Path, Prepared};
 use crate::color::Rgb;
 use crate::geometry::Ray;
 use crate::materials::Event;
 use crate::notation::{Language, Letter, State};
 use crate::sampling::stream::Stream;
-use crate::scene::Tracer;
+use crate::scene::{Scene, Tracer};
 
 /// Goes along with a path from the eye, hears of each of its vertices and of all light it finds.
 pub trait PathObserver {
@@ -22,7 +22,9 @@ pub trait PathObserver {
     fn aimed(&mut self, last: Event, li: Rgb);
 
     /// Light at the end of the path itself.
-    fn arrived(&mut self, li: Rgb);
+    ///
+    /// * `beyond`: true where it comes from around the scene, and no surface emits it.
+    fn arrived(&mut self, li: Rgb, beyond: bool);
 }
 
 /// All light, whichever way it came.
@@ -45,7 +47,7 @@ impl PathObserver for AllLight {
         self.li += li;
     }
 
-    fn arrived(&mut self, li: Rgb) {
+    fn arrived(&mut self, li: Rgb, _: bool) {
         self.li += li;
     }
 }
@@ -88,13 +90,59 @@ impl PathObserver for PathFilter<'_> {
         self.li += li;
     }
 
-    fn arrived(&mut self, li: Rgb) {
+    fn arrived(&mut self, li: Rgb, _: bool) {
         if self.state.next(Letter::Light).is_accepting() {
             self.li += li;
         }
     }
 }
 // ANCHOR_END: among
+
+// ANCHOR: from_eye
+/// The light of a path from the eye but for what [`Caustics`](super::Caustics) traces from the lights.
+#[derive(Debug)]
+pub struct FromEye<'f, F> {
+    follow: &'f mut F,
+    /// True where light from around the scene is traced from there, too.
+    with_beyond: bool,
+    /// The first surface and the last.
+    ends: Option<[Event; 2]>,
+}
+
+impl<'f, F: PathObserver> FromEye<'f, F> {
+    /// At the eye; all other light is told to `follow`.
+    pub fn new(scene: &Scene, follow: &'f mut F) -> Self {
+        FromEye {
+            follow,
+            with_beyond: scene.environment_light.is_some(),
+            ends: None,
+        }
+    }
+}
+
+impl<F: PathObserver> PathObserver for FromEye<'_, F> {
+    fn scattered(&mut self, event: Event) -> bool {
+        let first = self.ends.map_or(event, |[first, _]| first);
+        self.ends = Some([first, event]);
+        self.follow.scattered(event)
+    }
+
+    fn wants(&self, last: Event) -> bool {
+        self.follow.wants(last)
+    }
+
+    fn aimed(&mut self, last: Event, li: Rgb) {
+        self.follow.aimed(last, li);
+    }
+
+    fn arrived(&mut self, li: Rgb, beyond: bool) {
+        let is_focused = self.ends == Some([Event::Diffuse, Event::Specular]);
+        if !is_focused || beyond && !self.with_beyond {
+            self.follow.arrived(li, beyond);
+        }
+    }
+}
+// ANCHOR_END: from_eye
 
 /// Path tracing, of the paths of a language alone.
 ///
@@ -113,5 +161,25 @@ impl Integrator for FilteredPath<'_> {
         let mut only = PathFilter::new(self.paths);
         self.path.trace(tracer, ray, stream, &mut only);
         only.li
+    }
+
+    fn passes(&self, scene: &Scene) -> Option<&dyn Passes> {
+        self.path.traces_caustics(scene).then_some(self)
+    }
+}
+
+impl Passes for FilteredPath<'_> {
+    fn prepare<'a>(&'a self, pass: &Pass<'a>) -> Option<Prepared<'a>> {
+        self.path.caustics(pass, |letters| {
+            let eye = self.paths.start().next(Letter::Eye);
+            let state = letters
+                .iter()
+                .rev()
+                .fold(eye, |state, letter| state.next(*letter));
+            match state.is_accepting() {
+                true => Arrival::Counts,
+                false => Arrival::LeftOut,
+            }
+        })
     }
 }

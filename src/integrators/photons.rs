@@ -21,6 +21,7 @@
 //! Jensen, Progressive Photon Mapping (TOG 27(5), 2008); Knaus, Zwicker, Progressive Photon Mapping: A
 //! Probabilistic Approach (TOG 30(3), 2011), whose passes know nothing of each other.
 
+use super::from_light::scatter;
 use super::world::World;
 use super::{Entry, Finds, Found, Integrator, Pass, Passes, Prepared, Survival};
 use crate::color::Rgb;
@@ -28,7 +29,7 @@ use crate::geometry::Ray;
 use crate::photons::{Photon, PhotonMap, radius};
 use crate::sampling::mis::Heuristic;
 use crate::sampling::stream::{Purpose, Stream};
-use crate::scene::{RayCounts, Tracer};
+use crate::scene::{RayCounts, Scene, Tracer};
 
 /// Walks from the lights, and walks from the eye that look at where they land.
 #[derive(Clone, Copy, Debug)]
@@ -68,7 +69,7 @@ impl Photons {
                 points: Found::ALL,
                 by_chance: false,
             },
-            |max_depth| Box::new(Photons::new(max_depth)),
+            |settings| Box::new(Photons::new(settings.max_depth)),
         )
     };
 
@@ -115,11 +116,11 @@ impl Photons {
                 });
             }
             let vertex = u64::from(segments);
-            let Some(step) = tracer.sample_bsdf(&here, vertex, stream) else {
+            let Some(step) = scatter(tracer, &here, vertex, stream) else {
                 break;
             };
             power *= step.weight;
-            throughput *= step.weight;
+            throughput *= step.bsdf_weight;
             ray = step.ray;
 
             // A surface that keeps half of the light keeps half of the photons, so that all have about
@@ -205,7 +206,7 @@ impl Integrator for Photons {
         self.walk(None, tracer, ray, stream)
     }
 
-    fn passes(&self) -> Option<&dyn Passes> {
+    fn passes(&self, _: &Scene) -> Option<&dyn Passes> {
         Some(self)
     }
 }
@@ -221,7 +222,7 @@ impl Passes for Photons {
         let radius = f64::from(first) * radius::shrunk(self.alpha, pass.sample);
         // Photons lie where surfaces are at one moment, and are looked at there.
         let time = pass.moment();
-        let (photons, traced) = pass.trace(walks, |tracer, stream, leave| {
+        let (photons, traced) = pass.trace(0..walks, |tracer, stream, leave| {
             self.trace(tracer, time, stream, leave);
         })?;
         rays += traced;

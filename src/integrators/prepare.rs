@@ -9,6 +9,9 @@ pub struct Settings<'a> {
     pub max_depth: u32,
     /// How small patches are, for integrators that have any.
     pub patches: PatchSize,
+    /// Paths from the lights in each sample of all pixels, for integrators that trace some: see
+    /// [`Path::light_paths`](super::Path::light_paths).
+    pub light_paths: Option<u32>,
     /// Who watches, where making it takes a while.
     pub watch: &'a dyn Watch,
 }
@@ -19,6 +22,7 @@ impl Settings<'_> {
         Settings {
             max_depth,
             patches: PatchSize::default(),
+            light_paths: None,
             watch: &(),
         }
     }

@@ -44,9 +44,9 @@ impl WhichRay {
              the shares of a mixture: the light of next-event",
         ],
         Finds::BY_AIMING,
-        |max_depth| {
+        |settings| {
             Box::new(WhichRay {
-                max_depth,
+                max_depth: settings.max_depth,
                 choice: Choice::ByMean,
             })
         },

@@ -57,7 +57,11 @@ impl Whitted {
                 },
                 by_chance: false,
             },
-            |max_depth| Box::new(Whitted { max_depth }),
+            |settings| {
+                Box::new(Whitted {
+                    max_depth: settings.max_depth,
+                })
+            },
         )
     };
 }

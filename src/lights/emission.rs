@@ -3,12 +3,13 @@
 //! Source: Arvo, Backward Ray Tracing (SIGGRAPH course notes 1986); Dutré, Bala, Bekaert, Advanced Global
 //! Illumination (2006), chapter 5.
 
-use super::{Light, mean, triangle};
+use super::targets::{Emitter, Targets};
+use super::{Light, LightBounds, mean, triangle};
 use crate::color::Rgb;
 use crate::geometry::{Aabb, Ray, Surface};
 use crate::sampling::discrete::Discrete;
 use crate::sampling::frame::Frame;
-use crate::sampling::{as_uniform, hemisphere, warps};
+use crate::sampling::warps;
 use glam::Vec3;
 use std::f64::consts::PI;
 
@@ -49,30 +50,48 @@ pub struct EmissionUniforms {
     pub direction: [f32; 2],
 }
 
-/// A ball around all that rays can meet: light from infinitely far away passes through it.
-#[derive(Clone, Copy, Debug, Default)]
-pub struct Surroundings {
+/// A ball around something: light from infinitely far away passes that around the scene, and rays are aimed at
+/// those around what focuses light.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct BoundingSphere {
     /// Its centre.
     pub center: Vec3,
     /// Its radius, in scene units; 0 where there is nothing.
     pub radius: f32,
 }
 
-impl Surroundings {
+/// Radii are rounded outwards by this.
+const OUTWARDS: f32 = 1.0 + 4.0 * f32::EPSILON;
+
+impl BoundingSphere {
     /// The ball around a box.
     pub fn of(bounds: Aabb) -> Self {
         if !bounds.is_finite() {
-            return Surroundings::default();
+            return BoundingSphere::default();
         }
         let center = bounds.center();
         let radius = (bounds.max - center)
             .length()
             .max((center - bounds.min).length());
-        Surroundings {
+        BoundingSphere {
             center,
-            // Rounded outwards.
-            radius: radius * (1.0 + 4.0 * f32::EPSILON),
+            radius: radius * OUTWARDS,
         }
+    }
+
+    /// A ball around balls, in the middle of the box around them; `None` around none, and where it is not finite.
+    pub fn around(balls: &[BoundingSphere]) -> Option<Self> {
+        let of = |ball: &BoundingSphere| Aabb {
+            min: ball.center - ball.radius,
+            max: ball.center + ball.radius,
+        };
+        let bounds = balls.iter().map(of).reduce(Aabb::union)?;
+        let center = bounds.center();
+        let reach = |ball: &BoundingSphere| (ball.center - center).length() + ball.radius;
+        let radius = balls.iter().map(reach).fold(0.0, f32::max) * OUTWARDS;
+        radius
+            .is_finite()
+            .then_some(BoundingSphere { center, radius })
     }
 
     /// Area of its cross-section.
@@ -80,11 +99,64 @@ impl Surroundings {
         PI * f64::from(self.radius).powi(2)
     }
 
-    /// A ray through it against the unit direction `from`, through a uniform point of its cross-section.
-    fn ray(&self, from: Vec3, u: [f32; 2]) -> Ray {
-        let aside = warps::sample_disk_concentric(u) * self.radius;
-        let across = Frame::new(from).to_world(aside.extend(0.0));
-        Ray::new(self.center + across + from * self.radius, -from)
+    /// Light from infinitely far away in the unit direction `from`, whose ray passes its centre at `across`.
+    fn pass(&self, from: Vec3, across: Vec3, emitted: Rgb, over_density: f64) -> EmissionSample {
+        EmissionSample {
+            ray: Ray::new(self.center + across + from * self.radius, -from),
+            emitted,
+            over_density: over_density as f32,
+            part: 0,
+            place: [0.0; 2],
+            n: -from,
+        }
+    }
+}
+
+/// Where light leaves its source, before it is known in which direction.
+enum Origin {
+    /// A point.
+    Near(Place),
+    /// Infinitely far away in the unit direction `from`.
+    Afar {
+        from: Vec3,
+        emitted: Rgb,
+        /// One over the density of the direction, in sr, or 1 for the only one.
+        over_density: f64,
+    },
+}
+
+/// A point that light leaves, drawn uniformly in area where it is one of a surface.
+struct Place {
+    from: Surface,
+    emitter: Emitter,
+    emitted: Rgb,
+    /// The area, or 1 for a point without one.
+    area: f64,
+    part: u32,
+    place: [f32; 2],
+}
+
+impl Place {
+    /// Light that leaves it in the unit direction `w`.
+    ///
+    /// * `over_density`: the cosine there over the density of `w`.
+    fn leave(self, w: Vec3, over_density: f64) -> EmissionSample {
+        let n = match self.emitter {
+            Emitter::Point => w,
+            Emitter::OneSided(n) => n,
+            Emitter::TwoSided(n) => n * 1_f32.copysign(n.dot(w)),
+        };
+        EmissionSample {
+            ray: match self.emitter {
+                Emitter::Point => Ray::new(self.from.p, w),
+                Emitter::OneSided(_) | Emitter::TwoSided(_) => self.from.spawn(w),
+            },
+            emitted: self.emitted,
+            over_density: (self.area * over_density) as f32,
+            part: self.part,
+            place: self.place,
+            n,
+        }
     }
 }
 
@@ -98,92 +170,145 @@ impl Light {
     /// cross-section of `around`.
     pub fn sample_emission(
         &self,
-        around: &Surroundings,
+        around: &BoundingSphere,
         by: Vec3,
         u: EmissionUniforms,
     ) -> Option<EmissionSample> {
-        let beyond = |from: Vec3, emitted: Rgb, over_density: f64| EmissionSample {
-            ray: around.ray(from, u.direction),
-            emitted,
-            over_density: (over_density * around.disc()) as f32,
-            part: 0,
-            place: [0.0; 2],
-            n: -from,
-        };
-        match self {
-            Light::Point(l) => {
-                let direction = warps::sample_sphere(u.direction).normalize();
-                Some(EmissionSample {
-                    ray: Ray::new(l.position, direction),
-                    emitted: l.intensity,
-                    over_density: (1.0 / warps::pdf_sphere()),
-                    part: 0,
-                    place: [0.0; 2],
-                    n: direction,
-                })
+        Some(match self.origin(by, u.pick, u.place)? {
+            Origin::Near(place) => {
+                let w = place.emitter.sample(u.direction).normalize();
+                let over_density = place.emitter.cos_over_pdf();
+                place.leave(w, over_density)
             }
-            Light::Directional(l) => Some(beyond(l.from, l.irradiance, 1.0)),
+            Origin::Afar {
+                from,
+                emitted,
+                over_density,
+            } => {
+                let aside = warps::sample_disk_concentric(u.direction) * around.radius;
+                let across = Frame::new(from).to_world(aside.extend(0.0));
+                around.pass(from, across, emitted, over_density * around.disc())
+            }
+        })
+    }
+
+    /// Draws a ray along which the light emits towards one of the balls of `targets`; `None` where none of them is
+    /// on the side that shines, for a light of one's own and where there are no balls.
+    ///
+    /// Points are drawn as by [`Light::sample_emission`], and so are directions of light from infinitely far
+    /// away; but rays go where the balls are, and what would miss them all is never drawn.
+    ///
+    /// * `aim` in `[0, 1)` chooses the ball.
+    pub fn sample_emission_towards(
+        &self,
+        targets: &Targets,
+        around: &BoundingSphere,
+        by: Vec3,
+        u: EmissionUniforms,
+        aim: f32,
+    ) -> Option<EmissionSample> {
+        match self.origin(by, u.pick, u.place)? {
+            Origin::Near(place) => {
+                let Place { from, emitter, .. } = place;
+                let (w, pdf) = targets.sample_direction(from.p, emitter, aim, u.direction)?;
+                let cos = emitter.cos(w);
+                (cos > 0.0).then(|| place.leave(w, f64::from(cos) / f64::from(pdf)))
+            }
+            Origin::Afar {
+                from,
+                emitted,
+                over_density,
+            } => {
+                let (across, pdf) = targets.sample_line(around, from, aim, u.direction)?;
+                Some(around.pass(from, across, emitted, over_density / pdf))
+            }
+        }
+    }
+
+    /// Draws where light leaves it, for `pick` and `place` of [`EmissionUniforms`].
+    fn origin(&self, by: Vec3, pick: f64, place: [f32; 2]) -> Option<Origin> {
+        let near = |from, emitter, emitted, area, part, place| {
+            Origin::Near(Place {
+                from,
+                emitter,
+                emitted,
+                area,
+                part,
+                place,
+            })
+        };
+        let afar = |from, emitted, over_density| Origin::Afar {
+            from,
+            emitted,
+            over_density,
+        };
+        Some(match self {
+            Light::Point(l) => {
+                let from = Surface {
+                    p: l.position,
+                    error: Vec3::ZERO,
+                    n: Vec3::Z,
+                    time: 0.0,
+                };
+                near(from, Emitter::Point, l.intensity, 1.0, 0, [0.0; 2])
+            }
+            Light::Directional(l) => afar(l.from, l.irradiance, 1.0),
             Light::Environment(l) => {
-                let (from, pdf) = l.sample_direction(u.pick, u.place)?;
-                Some(beyond(from, l.radiance(from), 1.0 / f64::from(pdf)))
+                let (from, pdf) = l.sample_direction(pick, place)?;
+                afar(from, l.radiance(from), 1.0 / f64::from(pdf))
             }
             Light::Sky(l) => {
-                let from = warps::sample_sphere(u.place).normalize();
-                Some(beyond(
-                    from,
-                    l.radiance,
-                    1.0 / f64::from(warps::pdf_sphere()),
-                ))
+                let from = warps::sample_sphere(place).normalize();
+                afar(from, l.radiance, 1.0 / f64::from(warps::pdf_sphere()))
             }
             Light::Quad(l) => {
-                let [s, t] = u.place;
+                let [s, t] = place;
                 let quad = l.quad().moved(by);
                 let mut from = quad.surface_at(s, t);
                 from.error += l.quad().bend(&quad);
-                let area = f64::from(quad.area());
-                let sample = leave(from, l.is_two_sided(), area, l.radiance(), u.direction);
-                Some(EmissionSample {
-                    place: [s, t],
-                    ..sample
-                })
+                let emitter = Emitter::of(from.n, l.is_two_sided());
+                near(
+                    from,
+                    emitter,
+                    l.radiance(),
+                    f64::from(quad.area()),
+                    0,
+                    place,
+                )
             }
             Light::Sphere(l) => {
                 let mut sphere = l.sphere;
                 sphere.center += by;
                 let from =
-                    sphere.surface_towards(warps::sample_sphere(u.place).as_dvec3().normalize());
-                Some(leave(from, false, l.area(), l.radiance, u.direction))
+                    sphere.surface_towards(warps::sample_sphere(place).as_dvec3().normalize());
+                near(
+                    from,
+                    Emitter::OneSided(from.n),
+                    l.radiance,
+                    l.area(),
+                    0,
+                    [0.0; 2],
+                )
             }
             Light::Triangle(l) => {
-                let place = warps::sample_triangle(u.place);
+                let place = warps::sample_triangle(place);
                 let from = triangle::at(&l.triangle.moved(by), place[0], place[1]);
-                let sample = leave(
-                    from,
-                    l.two_sided,
-                    l.triangle.area(),
-                    l.radiance,
-                    u.direction,
-                );
-                Some(EmissionSample { place, ..sample })
+                let emitter = Emitter::of(from.n, l.two_sided);
+                near(from, emitter, l.radiance, l.triangle.area(), 0, place)
             }
             Light::Mesh(l) => {
-                let (part, place) = l.sample_point(u.pick, u.place);
+                let (part, place) = l.sample_point(pick, place);
                 let from = triangle::at(&l.triangles()[part].moved(by), place[0], place[1]);
-                let sample = leave(from, l.is_two_sided(), l.area(), l.radiance(), u.direction);
-                let part = part as u32;
-                Some(EmissionSample {
-                    part,
-                    place,
-                    ..sample
-                })
+                let emitter = Emitter::of(from.n, l.is_two_sided());
+                near(from, emitter, l.radiance(), l.area(), part as u32, place)
             }
-            Light::Custom(_) => None,
-        }
+            Light::Custom(_) => return None,
+        })
     }
 
     /// The power that [`Light::sample_emission`] has in the mean, in W, mean over channels: of light from
     /// infinitely far away, what passes the cross-section of `around`.
-    pub fn power(&self, around: &Surroundings) -> f64 {
+    pub fn power(&self, around: &BoundingSphere) -> f64 {
         let sides = |two_sided: bool| if two_sided { 2.0 } else { 1.0 };
         match self {
             Light::Point(l) => 4.0 * PI * mean(l.intensity),
@@ -201,53 +326,66 @@ impl Light {
     }
 }
 
-/// Light that leaves the point `from` of a surface of this area on its normal's side, or on both.
-fn leave(
-    from: Surface,
-    two_sided: bool,
-    area: f64,
-    radiance: Rgb,
-    [a, b]: [f32; 2],
-) -> EmissionSample {
-    // One half of the uniforms for each side.
-    let (n, a, sides) = match two_sided {
-        false => (from.n, a, 1.0),
-        true if a < 0.5 => (from.n, 2.0 * a, 2.0),
-        true => (-from.n, as_uniform(2.0 * a - 1.0), 2.0),
-    };
-    let local = hemisphere::sample_cosine([a, b]);
-    let direction = Frame::new(n).to_world(local).normalize();
-    EmissionSample {
-        ray: from.spawn(direction),
-        emitted: radiance,
-        // cos θ over the density cos θ / (π A).
-        over_density: (PI * area * sides) as f32,
-        part: 0,
-        place: [0.0; 2],
-        n,
-    }
-}
-
 /// Chooses the light of a scene that a path starts from, by its power.
 #[derive(Clone, Debug, Default)]
 pub struct EmissionChoice {
     by_power: Option<Discrete>,
-    around: Surroundings,
+    around: BoundingSphere,
+    /// Where its rays go; none for everywhere.
+    targets: Targets,
 }
+
+/// The share of the power of all its rays by which a light is at least chosen, where rays are aimed.
+const LEAST_AIMED: f64 = 0.01;
 
 impl EmissionChoice {
     /// The choice among `lights`, around all that stands within `bounds`.
     pub fn new(lights: &[Light], bounds: Aabb) -> Self {
-        let around = Surroundings::of(bounds);
+        let around = BoundingSphere::of(bounds);
         EmissionChoice {
             by_power: Discrete::new(lights.iter().map(|light| light.power(&around))),
             around,
+            targets: Targets::default(),
+        }
+    }
+
+    /// The choice for rays that are aimed at `targets`, by the power that they may get; a sky of one colour is never
+    /// chosen.
+    pub fn towards(lights: &[Light], bounds: Aabb, targets: Targets) -> Self {
+        let around = BoundingSphere::of(bounds);
+        let aimed = |light: &Light| match LightBounds::of(light) {
+            _ if targets.is_empty() || matches!(light, Light::Sky(_)) => 0.0,
+            Some(bounds) => {
+                let at = |ball: &BoundingSphere| bounds.fluence(ball.center) * ball.disc();
+                let sum: f64 = targets.balls().iter().map(at).sum();
+                let power = light.power(&around);
+                sum.clamp(LEAST_AIMED * power, power)
+            }
+            None => {
+                let area: f64 = targets.balls().iter().map(BoundingSphere::disc).sum();
+                light.power(&around) * (area / around.disc()).min(1.0)
+            }
+        };
+        EmissionChoice {
+            by_power: Discrete::new(lights.iter().map(aimed)),
+            around,
+            targets,
         }
     }
 
     /// The ball around the scene.
-    pub fn around(&self) -> &Surroundings {
+    pub fn around(&self) -> &BoundingSphere {
         &self.around
+    }
+
+    /// Where rays are aimed; none for everywhere.
+    pub fn targets(&self) -> &Targets {
+        &self.targets
+    }
+
+    /// True where no light is ever chosen.
+    pub fn is_dark(&self) -> bool {
+        self.by_power.is_none()
     }
 
     /// The index of a light, its probability and a uniform that is left of `u` in `[0, 1)`; `None` where

@@ -11,6 +11,7 @@ mod moved;
 mod quad;
 mod sky;
 mod sphere;
+mod targets;
 mod tree;
 mod triangle;
 
@@ -18,12 +19,13 @@ pub use bounds::LightBounds;
 pub use choice::{ChosenLight, LightChoice};
 pub use custom::{Arrival, CustomLight, PlacedLight};
 pub use delta::{DirectionalLight, PointLight};
-pub use emission::{EmissionChoice, EmissionSample, EmissionUniforms, Surroundings};
+pub use emission::{BoundingSphere, EmissionChoice, EmissionSample, EmissionUniforms};
 pub use environment::EnvironmentLight;
 pub use mesh::MeshLight;
 pub use quad::QuadLight;
 pub use sky::SkyLight;
 pub use sphere::SphereLight;
+pub use targets::Targets;
 pub use tree::LightTree;
 pub use triangle::TriangleLight;
 

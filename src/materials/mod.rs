@@ -207,6 +207,22 @@ impl<'a> Bsdf<'a> {
         }
     }
 
+    /// The square of the index of refraction on the side of `wo` over that on the side of `wi`, both in local
+    /// coordinates; 1 where they are on the same side.
+    pub fn index_ratio2(&self, wo: Vec3, wi: Vec3) -> f32 {
+        let ior = match self {
+            Bsdf::Glass(g) => g.ior,
+            Bsdf::RoughGlass(g) => g.ior,
+            Bsdf::Mixture(m) => m.ior,
+            Bsdf::Lambert(_) | Bsdf::Mirror(_) | Bsdf::Glossy(_) | Bsdf::Custom(_) => return 1.0,
+        };
+        match wo.z * wi.z < 0.0 {
+            false => 1.0,
+            true if wo.z > 0.0 => 1.0 / (ior * ior),
+            true => ior * ior,
+        }
+    }
+
     /// True where light enters what lies behind the surface.
     pub fn refracts(&self) -> bool {
         match self {

@@ -334,7 +334,7 @@ impl<R: Recorder + ?Sized> Shots<'_, R> {
         tiles: &mut [Tile<R::Notes>],
         pass_rays: &mut RayCounts,
     ) -> bool {
-        let Some(passes) = self.recorder.passes() else {
+        let Some(passes) = self.recorder.passes(self.scene) else {
             return self.of_tiles(pass, &Prepared::default(), tiles);
         };
         // What is prepared for a sample is for all pixels at once, so all tiles take it together.

@@ -3,9 +3,9 @@
 use super::{Film, Rendered};
 use crate::color::Rgb;
 use crate::geometry::Ray;
-use crate::integrators::{Integrator, Passes};
+use crate::integrators::{Integrator, Passes, Splat};
 use crate::sampling::stream::Stream;
-use crate::scene::Tracer;
+use crate::scene::{Scene, Tracer};
 
 /// Takes the samples of a picture, and records their parts in further pictures or notes.
 ///
@@ -19,11 +19,13 @@ pub trait Recorder: Sync {
         0
     }
 
-    /// What is prepared for each sample of all pixels at once: its light is in the picture, too, and in
-    /// none of the further ones.
-    fn passes(&self) -> Option<&dyn Passes> {
+    /// What is prepared for each sample of all pixels at once: its light is in the picture, too.
+    fn passes(&self, _scene: &Scene) -> Option<&dyn Passes> {
         None
     }
+
+    /// Records light of such a pass that arrives in the pixel of a sample, after [`Recorder::record`].
+    fn arrive(&self, _splat: &Splat, _parts: &mut [Rgb], _notes: &mut Self::Notes) {}
 
     /// One sample of the radiance that arrives along `ray`, in W/(m² sr). Its parts in the further pictures
     /// go to `parts`.
@@ -40,8 +42,8 @@ pub trait Recorder: Sync {
 impl<I: Integrator + ?Sized> Recorder for I {
     type Notes = ();
 
-    fn passes(&self) -> Option<&dyn Passes> {
-        Integrator::passes(self)
+    fn passes(&self, scene: &Scene) -> Option<&dyn Passes> {
+        Integrator::passes(self, scene)
     }
 
     fn record(

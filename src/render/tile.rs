@@ -53,8 +53,9 @@ pub(super) fn tiles<Notes: Default>(
 }
 
 impl<Notes> Tile<Notes> {
-    /// Takes the samples of a pass, by or with what was prepared for it in the whole picture; false where it was stopped before its last pixel. It asks before each
-    /// sample: a pass over a tile may have thousands, and a sample take a millisecond.
+    /// Takes the samples of a pass, by or with what was prepared for it in the whole picture; false where it was
+    /// stopped before its last pixel. It asks before each sample: a pass over a tile may have thousands, and a
+    /// sample take a millisecond.
     pub(super) fn sample<R: Recorder<Notes = Notes> + ?Sized>(
         &mut self,
         scene: &Scene,
@@ -87,7 +88,11 @@ impl<Notes> Tile<Notes> {
                         None => recorder.record(&mut tracer, &ray, &stream, &mut parts, notes),
                     };
                     if let Some(light) = &prepared.light {
-                        li += light[y as usize * scene.size[0] as usize + x as usize];
+                        let number = y * scene.size[0] + x;
+                        li += light[number as usize];
+                        for splat in prepared.splats.of(number) {
+                            recorder.arrive(&splat, &mut parts, notes);
+                        }
                     }
                     if self.watch.admits(li, BadSample { x, y, sample }) {
                         pixel.add(li);

@@ -15,11 +15,11 @@ use super::placement::Placement;
 use super::value::{Positive, Whole};
 use super::{
     BuildReport, CausticGuide, Contacts, Corners, Inventory, Mapping, Object, Scene, Sky,
-    Suggested, lamps, procedural, spacing,
+    Suggested, focusing, lamps, procedural, spacing,
 };
 use crate::camera::{Camera, Lens};
 use crate::geometry::{Aabb, Bvh, Quad, Shape, Sphere};
-use crate::lights::{EmissionChoice, Light, LightChoice, SkyLight};
+use crate::lights::{EmissionChoice, Light, LightChoice, SkyLight, Targets};
 use glam::{DMat3, DVec3, Vec2, Vec3};
 use std::path::Path;
 use std::sync::Arc;
@@ -121,7 +121,14 @@ pub(super) fn assemble(from: &Arc<MadeFrom>) -> Checked<Scene> {
     };
     let bvh = Bvh::new(&shapes);
     let bounds = transformed.as_ref().map_or(Aabb::EMPTY, |t| t.bvh.bounds());
-    let emission_choice = EmissionChoice::new(&parts.lights, bvh.bounds().union(bounds));
+    let bounds = bvh.bounds().union(bounds);
+    let emission_choice = EmissionChoice::new(&parts.lights, bounds);
+    let shown = inventory.diffuse > 0 || inventory.glossy > 0 && inventory.point_lights > 0;
+    let targets = match shown {
+        true => focusing::targets(&parts.objects, &placed, &parts.instances),
+        false => Targets::default(),
+    };
+    let caustic_choice = EmissionChoice::towards(&parts.lights, bounds, targets);
     Ok(Scene {
         made_from: Arc::clone(from),
         origin,
@@ -134,6 +141,7 @@ pub(super) fn assemble(from: &Arc<MadeFrom>) -> Checked<Scene> {
         sky_light,
         light_choice,
         emission_choice,
+        caustic_choice,
         lights: parts.lights,
         casters,
         suggested,

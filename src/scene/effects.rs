@@ -169,6 +169,13 @@ impl Inventory {
         self.area_lights > 0 || self.sky != Sky::Black
     }
 
+    /// True where there is light whose caustics are traced from where it starts.
+    pub fn caustics_start_at_lights(&self) -> bool {
+        let by_lamps = self.diffuse > 0 && (self.area_lights > 0 || self.sky == Sky::Image);
+        let by_points = self.is_rough() && self.point_lights > 0;
+        self.specular > 0 && (by_lamps || by_points)
+    }
+
     /// What has to be simulated; nothing in the dark.
     pub fn effects(&self) -> Effects {
         if self.is_dark() {
@@ -182,7 +189,7 @@ impl Inventory {
             Effect::Specular => self.specular > 0,
             Effect::Gloss => self.glossy > 0,
             Effect::Bleeding => self.is_rough() && !self.is_alone(),
-            Effect::Caustics => self.specular > 0 && self.is_rough() && self.light_can_be_met(),
+            Effect::Caustics => self.specular > 0 && self.is_rough(),
             Effect::Lens => self.lens.is_some(),
             Effect::Motion => self.moving > 0,
         };

@@ -14,6 +14,7 @@ pub mod description;
 mod effects;
 mod facets;
 pub mod field;
+mod focusing;
 pub mod gallery;
 pub mod image_file;
 mod images;
@@ -82,6 +83,9 @@ pub struct Scene {
     pub light_choice: LightChoice,
     /// Chooses one of [`Scene::lights`] for a path to start from.
     pub emission_choice: EmissionChoice,
+    /// The same for a path that starts towards what focuses light; dark where no rough surface could show what
+    /// comes of it.
+    pub caustic_choice: EmissionChoice,
     /// The index in [`Scene::lights`] of the image around the scene. Where there is one, a ray that
     /// leaves the scene after the lights were asked brings nothing new.
     pub environment_light: Option<usize>,

@@ -4,7 +4,7 @@ use super::interaction::{Hit, Interaction};
 use super::motion::TransformedShapes;
 use super::{Object, Scene};
 use crate::geometry::{ClosestHit, Ray, Surface};
-use crate::lights::{EmissionSample, EmissionUniforms, Incident, LightSample};
+use crate::lights::{EmissionChoice, EmissionSample, EmissionUniforms, Incident, LightSample};
 use crate::sampling::stream::{Purpose, Stream};
 use glam::Vec3;
 use std::ops::AddAssign;
@@ -142,19 +142,40 @@ impl<'a> Tracer<'a> {
     /// Draws a light by its power, and a ray along which it emits at a random moment. Its power stands for
     /// that of all lights; `None` where there is none.
     pub fn sample_emission(&self, stream: &Stream) -> Option<EmissionSample> {
-        let time = match self.scene.moves() {
-            true => stream.at(0, Purpose::Time).one(),
-            false => 0.0,
-        };
-        self.sample_emission_at(stream, time)
+        self.sample_emission_at(stream, self.moment(stream))
     }
 
     /// The same at the moment `time`, in `[0, 1]`.
     pub fn sample_emission_at(&self, stream: &Stream, time: f32) -> Option<EmissionSample> {
+        let choice = &self.scene.emission_choice;
+        self.emission(choice, stream, time)
+            .map(|(_, sample)| sample)
+    }
+
+    /// Draws a light, and a ray along which it emits towards what focuses light; its index in [`Scene::lights`],
+    /// too. Its power stands for that of all such rays of all lights but a sky of one colour.
+    pub fn sample_focused(&self, stream: &Stream) -> Option<(usize, EmissionSample)> {
+        let choice = &self.scene.caustic_choice;
+        self.emission(choice, stream, self.moment(stream))
+    }
+
+    /// A random moment while the shutter is open, where anything moves.
+    fn moment(&self, stream: &Stream) -> f32 {
+        match self.scene.moves() {
+            true => stream.at(0, Purpose::Time).one(),
+            false => 0.0,
+        }
+    }
+
+    fn emission(
+        &self,
+        choice: &EmissionChoice,
+        stream: &Stream,
+        time: f32,
+    ) -> Option<(usize, EmissionSample)> {
         let scene = self.scene;
         let mut numbers = stream.at(0, Purpose::Emission);
         let (place, direction) = (numbers.two(), numbers.two());
-        let choice = &scene.emission_choice;
         let (index, probability, pick) = choice.choose(stream.at(0, Purpose::Branch).fine())?;
         let by = self.light_moved(index, time).unwrap_or(Vec3::ZERO);
         let uniforms = EmissionUniforms {
@@ -162,7 +183,14 @@ impl<'a> Tracer<'a> {
             place,
             direction,
         };
-        let sample = scene.lights[index].sample_emission(choice.around(), by, uniforms)?;
+        let (light, around) = (&scene.lights[index], choice.around());
+        let sample = match choice.targets() {
+            targets if targets.is_empty() => light.sample_emission(around, by, uniforms),
+            targets => {
+                let aim = stream.at(0, Purpose::Direction).one();
+                light.sample_emission_towards(targets, around, by, uniforms, aim)
+            }
+        }?;
         let emitted = match scene.textured_lights.get(&(index as u32)) {
             None => sample.emitted,
             Some(&object) => {
@@ -172,12 +200,13 @@ impl<'a> Tracer<'a> {
                 emission.at(|| mapping.at(sample.part, sample.place, sample.n))
             }
         };
-        Some(EmissionSample {
+        let sample = EmissionSample {
             ray: sample.ray.at_time(time),
             emitted,
             over_density: sample.over_density / probability,
             ..sample
-        })
+        };
+        Some((index, sample))
     }
 
     /// How far a light has come at `time` since the shutter opened; `None` for one that stands still.

@@ -208,8 +208,8 @@ fn real_rooms_read_what_the_furnace_does() {
     }
     // The last rung of the ladder: roulette and a cut that is too deep to matter.
     let path = Path {
-        max_depth: 64,
         roulette_from: 1,
+        ..Path::new(64)
     };
     accept(
         "room, path",

@@ -5,7 +5,7 @@ use super::{GROUND, scene};
 use crate::checks::{alike, of, unlike};
 use glam::{Vec2, Vec3};
 use halfdisk::geometry::{Aabb, Ray, Surface};
-use halfdisk::lights::{EmissionSample, EmissionUniforms, Light, Surroundings};
+use halfdisk::lights::{BoundingSphere, EmissionSample, EmissionUniforms, Light, Targets};
 use halfdisk::sampling::stream::{Purpose, Stream};
 use halfdisk::stats::Estimate;
 
@@ -13,8 +13,8 @@ use halfdisk::stats::Estimate;
 const SIDE: f32 = 2.0;
 const AWAY: Vec3 = Vec3::new(0.3, 0.4, -0.2);
 
-fn around() -> Surroundings {
-    Surroundings::of(Aabb::of([Vec3::splat(-1.5), Vec3::splat(1.5)]))
+fn around() -> BoundingSphere {
+    BoundingSphere::of(Aabb::of([Vec3::splat(-1.5), Vec3::splat(1.5)]))
 }
 
 fn uniforms(index: u32) -> EmissionUniforms {
@@ -161,5 +161,82 @@ fn every_ray_leaves_on_a_side_that_shines_and_towards_the_scene() {
                 );
             }
         }
+    }
+}
+
+/// The power that passes balls, weighted by where: `1 + x` of the point of the ray that is nearest to the origin.
+fn passing(balls: &[BoundingSphere], sample: &EmissionSample) -> f64 {
+    let ray = &sample.ray;
+    let meets = |ball: &BoundingSphere| {
+        let t = (ball.center - ray.origin).dot(ray.direction);
+        let near = (ray.at(t) - ball.center).length() < ball.radius;
+        near && t > 0.0 || (ray.origin - ball.center).length() < ball.radius
+    };
+    let nearest = ray.at(-ray.origin.dot(ray.direction));
+    match balls.iter().any(meets) {
+        true => f64::from(sample.power().g * (1.0 + 0.2 * nearest.x)),
+        false => 0.0,
+    }
+}
+
+/// Balls that are apart, that overlap, and one around everything.
+fn targets() -> [(&'static str, Vec<BoundingSphere>); 3] {
+    let ball = |x, y, z, radius| BoundingSphere {
+        center: Vec3::new(x, y, z),
+        radius,
+    };
+    let apart = vec![ball(-0.4, -0.9, 0.3, 0.3), ball(0.9, -0.5, -0.8, 0.1)];
+    let [over, under] = [ball(-0.4, -0.9, 0.3, 0.5), ball(0.1, -0.8, 0.2, 0.4)];
+    [
+        ("apart", apart),
+        ("one over the other", vec![over, under]),
+        ("around all", vec![over, around()]),
+    ]
+}
+
+#[test]
+fn rays_that_are_aimed_bring_what_those_bring_that_are_not() {
+    for (name, light) in lights() {
+        for (where_, balls) in targets() {
+            let name = format!("{name}, {where_}");
+            let plain: Estimate = (0..900_000)
+                .map(|i| {
+                    let sample = light.sample_emission(&around(), AWAY, uniforms(i));
+                    sample.map_or(0.0, |sample| passing(&balls, &sample))
+                })
+                .collect();
+            let aims = Targets::new(balls.clone());
+            let aimed = |weight: &dyn Fn(&EmissionSample) -> f64| -> Estimate {
+                let one = |i: u32| {
+                    let aim = Stream::new(14, i, 0).at(0, Purpose::Direction).one();
+                    let u = uniforms(i);
+                    let sample = light.sample_emission_towards(&aims, &around(), AWAY, u, aim);
+                    sample.map_or(0.0, |sample| passing(&balls, &sample) * weight(&sample))
+                };
+                (0..200_000).map(one).collect()
+            };
+            let found = aimed(&|_| 1.0);
+            alike(&name, of(&found), of(&plain), 0.15);
+            if where_ == "apart" {
+                assert!(found.variance() < plain.variance(), "{name}");
+            }
+            // The mistake: what both balls hold is counted for each.
+            if where_ == "one over the other" {
+                let twice = aimed(&|sample| {
+                    let each = balls.iter().filter(|&&ball| passing(&[ball], sample) > 0.0);
+                    each.count() as f64
+                });
+                unlike(&format!("{name}, twice"), of(&twice), of(&plain));
+            }
+        }
+    }
+}
+
+#[test]
+fn nothing_is_aimed_at_where_there_is_nothing() {
+    for (name, light) in lights() {
+        let none = Targets::default();
+        let sample = light.sample_emission_towards(&none, &around(), AWAY, uniforms(0), 0.5);
+        assert!(sample.is_none(), "{name}");
     }
 }

@@ -23,14 +23,22 @@ pub struct Guided<'t, 'a, const KINDS: u8 = { kinds::ALL }> {
     tracer: &'t mut Tracer<'a>,
     /// What focuses light, as the point sees it that was met last.
     seen: GuideAt,
+    /// True where caustics that the eye sees are traced from the lights.
+    from_lights: bool,
+    /// True where the path has met a diffuse surface first: what is focused there is traced from the lights.
+    on_caustic: bool,
 }
 
 impl<'t, 'a, const KINDS: u8> Guided<'t, 'a, KINDS> {
     /// A view of the tracer's scene; the tracer counts its rays.
-    pub fn new(tracer: &'t mut Tracer<'a>) -> Self {
+    ///
+    /// * `from_lights`: true where caustics that the eye sees on diffuse surfaces are traced from the lights.
+    pub fn new(tracer: &'t mut Tracer<'a>, from_lights: bool) -> Self {
         Guided {
             tracer,
             seen: GuideAt::default(),
+            from_lights,
+            on_caustic: false,
         }
     }
 
@@ -63,10 +71,13 @@ impl<'a, const KINDS: u8> World<Solid> for Guided<'_, 'a, KINDS> {
         };
         let casters = &self.tracer.scene().casters;
         if KINDS & kinds::SPECULAR != 0 && !casters.is_empty() {
-            let smooth = self.smooth_event(&hit).is_some();
-            self.seen = match smooth {
-                true => casters.seen_from(hit.surface.p),
-                false => GuideAt::default(),
+            let event = self.smooth_event(&hit);
+            if segment == 1 {
+                self.on_caustic = self.from_lights && event == Some(Event::Diffuse);
+            }
+            self.seen = match event {
+                Some(_) if !self.on_caustic => casters.seen_from(hit.surface.p),
+                _ => GuideAt::default(),
             };
         }
         Some(hit)

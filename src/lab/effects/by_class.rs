@@ -3,7 +3,7 @@
 use super::language::Class;
 use crate::color::Rgb;
 use crate::geometry::Ray;
-use crate::integrators::{Path, PathObserver};
+use crate::integrators::{Arrival, Pass, Passes, Path, PathObserver, Prepared, Splat};
 use crate::materials::Event;
 use crate::notation::{Expression, Letter, State};
 use crate::render::{Options, Progress, Recorded, Recorder, record};
@@ -54,6 +54,33 @@ impl Recorder for ByClass {
         self.path.trace(tracer, ray, stream, &mut sorter);
         sorter.li
     }
+
+    fn passes(&self, scene: &Scene) -> Option<&dyn Passes> {
+        self.path.traces_caustics(scene).then_some(self)
+    }
+
+    fn arrive(&self, splat: &Splat, parts: &mut [Rgb], _: &mut ()) {
+        let its = parts.iter_mut().enumerate();
+        let its = its.filter(|(class, _)| splat.path >> class & 1 == 1);
+        its.for_each(|(_, part)| *part += splat.light);
+    }
+}
+
+impl Passes for ByClass {
+    /// Keeps of each path a bit for each class that it is in.
+    fn prepare<'a>(&'a self, pass: &Pass<'a>) -> Option<Prepared<'a>> {
+        self.path.caustics(pass, |letters| {
+            let word = |expression: &Expression| {
+                let start = expression.light_first().start();
+                let light = letters
+                    .iter()
+                    .fold(start, |state, &letter| state.next(letter));
+                u64::from(light.next(Letter::Eye).is_accepting())
+            };
+            let classes = self.expressions.iter().enumerate();
+            Arrival::Kept(classes.map(|(i, e)| word(e) << i).sum())
+        })
+    }
 }
 
 /// Books light in the classes of its path.
@@ -85,7 +112,7 @@ impl PathObserver for Sorter<'_> {
         }
     }
 
-    fn arrived(&mut self, li: Rgb) {
+    fn arrived(&mut self, li: Rgb, _: bool) {
         self.li += li;
         for (state, part) in self.states.iter().zip(&mut *self.parts) {
             if state.next(Letter::Light).is_accepting() {

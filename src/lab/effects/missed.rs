@@ -111,7 +111,11 @@ mod tests {
             scattering: 6,
             ..point
         };
-        assert_eq!(words(Path::ENTRY, &glass), [(false, "LSDE LSDDE".into())]);
+        assert_eq!(words(Path::ENTRY, &glass), [(false, "LSDSE LSDDSE".into())]);
+        assert_eq!(
+            words(Combine::ENTRY, &glass),
+            [(false, "LSDE LSDDE".into())]
+        );
         let both = Inventory {
             area_lights: 1,
             ..glass

@@ -14,7 +14,7 @@ pub struct Plan {
     pub lines: Vec<Line>,
     /// The paths the scene can have, as an expression; `None` where no light reaches the eye.
     pub paths: Option<String>,
-    /// Light that is there, and that no walk from the eye finds.
+    /// Light that is there, and that neither walks from the eye nor walks from the lights find.
     pub out_of_reach: Option<OutOfReach>,
     /// What a reader of the scene file may want to know.
     pub notes: Vec<String>,
@@ -31,7 +31,7 @@ pub struct Line {
     pub reason: String,
 }
 
-/// Light that is there, and that no walk from the eye finds.
+/// Light that is there, and that neither walks from the eye nor walks from the lights find.
 #[derive(Clone, Debug, Serialize)]
 pub struct OutOfReach {
     /// Its paths.
@@ -98,10 +98,10 @@ pub fn plan(scene: &Scene) -> Plan {
     };
     let out_of_reach = language::out_of_reach(inventory).map(|paths| OutOfReach {
         paths: paths.to_string(),
-        reason: "the way from a light without extent through mirrors or glass to a rough surface is \
-                 one line, which a walk from the eye meets with probability 0, and shadow rays are \
-                 straight: they read exactly 0. Only walks that start at the light find it: `light-tracer` \
-                 where it is not seen in a mirror or through glass, `photons` all of it, blurred"
+        reason: "a light without extent, seen by way of what it is focused on: mirrors or glass bind a walk \
+                 from the eye and one from the light to single directions, so that they meet with \
+                 probability 0, and no straight line joins them: they read exactly 0. Only `photons` \
+                 finds it, blurred, for it takes what lands nearby"
             .to_owned(),
     });
     Plan {
@@ -226,21 +226,31 @@ pub fn reason(effect: Effect, has: &Inventory) -> String {
 
 fn caustics(simulated: bool, has: &Inventory) -> String {
     if simulated {
-        let aimed = match has.casters {
-            0 => "found by chance alone".to_owned(),
+        let looked = match has.casters {
+            0 => String::new(),
             n => format!(
-                "found by chance, and by looking towards {}",
+                ", and by looking towards {}",
                 count(n, "mirror or glass", "mirrors and glasses")
             ),
         };
-        return format!("mirrors or glass, rough surfaces, and light that can be met: {aimed}");
+        let met = has.light_can_be_met();
+        return match has.caustics_start_at_lights() {
+            true if met => format!(
+                "mirrors or glass, rough surfaces, and light: traced from the lights; what is seen in mirrors \
+                 or through glass is found by chance{looked}"
+            ),
+            true => {
+                "mirrors or glass, rough surfaces, and light: traced from the lights".to_owned()
+            }
+            false => format!(
+                "mirrors or glass, rough surfaces, and light that can be met: found by chance{looked}"
+            ),
+        };
     }
     if has.specular == 0 {
         "nothing is a mirror or glass, so nothing focuses light"
-    } else if !has.is_rough() {
-        "no surface is rough, so none shows focused light"
     } else {
-        "no light has an extent, so no path from the eye meets the light that is focused"
+        "no surface is rough, so none shows focused light"
     }
     .to_owned()
 }

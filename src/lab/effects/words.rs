@@ -3,7 +3,7 @@
 
 use crate::color::Rgb;
 use crate::geometry::Ray;
-use crate::integrators::{Path, PathObserver};
+use crate::integrators::{Arrival, Pass, Passes, Path, PathObserver, Prepared, Splat};
 use crate::materials::Event;
 use crate::notation::{Letter, Word};
 use crate::render::{Options, Progress, Recorded, Recorder, record};
@@ -136,6 +136,23 @@ impl Recorder for Spelling<'_> {
         self.0.trace(tracer, ray, stream, &mut speller);
         speller.li
     }
+
+    fn passes(&self, scene: &Scene) -> Option<&dyn Passes> {
+        self.0.traces_caustics(scene).then_some(self)
+    }
+
+    fn arrive(&self, splat: &Splat, _: &mut [Rgb], sums: &mut Sums) {
+        book(sums, splat.path, splat.light);
+    }
+}
+
+impl Passes for Spelling<'_> {
+    fn prepare<'a>(&'a self, pass: &Pass<'a>) -> Option<Prepared<'a>> {
+        self.0.caustics(pass, |letters| {
+            let from_eye = letters.iter().skip(1).rev();
+            Arrival::Kept(from_eye.fold(1, |code, letter| longer(code, *letter)))
+        })
+    }
 }
 
 /// Tells how many of some renders are finished.
@@ -167,18 +184,22 @@ struct Speller<'a> {
 
 impl Speller<'_> {
     fn book(&mut self, code: u64, li: Rgb) {
-        if !li.is_black() {
-            self.li += li;
-            let booked = self.sums.entry(code).or_default();
-            booked.light += channels(li);
-            booked.paths += 1;
-        }
+        self.li += li;
+        book(self.sums, code, li);
+    }
+}
+
+fn book(sums: &mut Sums, code: u64, li: Rgb) {
+    if !li.is_black() {
+        let booked = sums.entry(code).or_default();
+        booked.light += channels(li);
+        booked.paths += 1;
     }
 }
 
 impl PathObserver for Speller<'_> {
     fn scattered(&mut self, event: Event) -> bool {
-        self.code = longer(self.code, event);
+        self.code = longer(self.code, event.into());
         true
     }
 
@@ -187,19 +208,20 @@ impl PathObserver for Speller<'_> {
     }
 
     fn aimed(&mut self, last: Event, li: Rgb) {
-        self.book(longer(self.code, last), li);
+        self.book(longer(self.code, last.into()), li);
     }
 
-    fn arrived(&mut self, li: Rgb) {
+    fn arrived(&mut self, li: Rgb, _: bool) {
         self.book(self.code, li);
     }
 }
 
-fn longer(code: u64, event: Event) -> u64 {
-    let bits = match event {
-        Event::Diffuse => 0,
-        Event::Specular => 1,
-        Event::Gloss => 2,
+/// The code of a path with one more surface, farther from the eye.
+fn longer(code: u64, surface: Letter) -> u64 {
+    let bits = match surface {
+        Letter::Specular => 1,
+        Letter::Gloss => 2,
+        Letter::Diffuse | Letter::Light | Letter::Eye => 0,
     };
     if code >> (2 * LONGEST) == 0 {
         code << 2 | bits
@@ -234,7 +256,7 @@ mod tests {
 
     #[test]
     fn a_path_from_the_eye_is_spelt_from_the_light() {
-        let seen = [Event::Specular, Event::Gloss, Event::Diffuse];
+        let seen = [Letter::Specular, Letter::Gloss, Letter::Diffuse];
         let code = seen.into_iter().fold(1, longer);
         assert_eq!(spell(code).to_string(), "LDGSE");
         assert_eq!(spell(1).to_string(), "LE");
@@ -242,8 +264,8 @@ mod tests {
 
     #[test]
     fn a_long_path_keeps_what_is_next_to_the_light() {
-        let code = (0..40).fold(1, |code, _| longer(code, Event::Specular));
-        let code = longer(code, Event::Diffuse);
+        let code = (0..40).fold(1, |code, _| longer(code, Letter::Specular));
+        let code = longer(code, Letter::Diffuse);
         let word = spell(code).to_string();
         assert_eq!(word, format!("LD{}E", "S".repeat(30)));
     }

@@ -1,0 +1,36 @@
+//! How many paths `halfdisk render --integrator path` traces from the lights.
+
+use super::Stop;
+use crate::integrators::{Entry, Path};
+use crate::lab::chapter::whole;
+use clap::Args;
+
+/// How many paths start at the lights.
+#[derive(Clone, Copy, Debug, Args)]
+pub(super) struct LightPaths {
+    /// Paths from the lights in each sample of all pixels, where a scene's mirrors or glass focus light onto
+    /// what the eye sees; with 0 all light is looked for from the eye [default: one for every four pixels]
+    #[arg(long, value_name = "N", allow_negative_numbers = true, value_parser = whole(0..=MOST))]
+    light_paths: Option<u32>,
+}
+
+/// More would be counted wrong in sums of `f32`.
+const MOST: u32 = 1 << 24;
+
+impl LightPaths {
+    /// The number that was asked for.
+    pub fn asked(&self) -> Option<u32> {
+        self.light_paths
+    }
+
+    /// Refuses what makes no sense together.
+    pub fn check(&self, integrator: Entry) -> Result<(), Stop> {
+        match self.light_paths {
+            Some(_) if integrator != Path::ENTRY => Err(Stop::Input(format!(
+                "--light-paths: only `path` traces some of its light from the lights, not `{}`",
+                integrator.name
+            ))),
+            _ => Ok(()),
+        }
+    }
+}
