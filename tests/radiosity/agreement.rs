@@ -1,16 +1,11 @@
 //! Radiosity against paths, on diffuse scenes.
 
-use super::{CUBE, scene, solve};
+use super::{BLOCKS, CUBE, scene, solve};
 use halfdisk::integrators::{Integrator, Kajiya, Path, Radiosity};
 use halfdisk::radiosity::PatchSize;
 use halfdisk::render::{Options, render};
 use halfdisk::scene::Scene;
 use halfdisk::stats::z_test::FOUR;
-
-/// A block in the room, and one that floats.
-const BLOCK: &str = "[[objects]]\nmaterial = 'red'\n\
-    box = { min = [0.55, 0, 0.1], max = [0.85, 0.4, 0.4] }\n\
-    [[objects]]\nmaterial = 'red'\nbox = { min = [0.1, 0.55, 0.1], max = [0.3, 0.7, 0.3] }\n";
 
 fn scenes() -> [(&'static str, Scene); 5] {
     let dim = CUBE.replace("emits = 1\n", "");
@@ -23,7 +18,7 @@ fn scenes() -> [(&'static str, Scene); 5] {
         ("the room", scene(CUBE)),
         ("a small lamp", scene(&(dim.clone() + lamp))),
         ("a ball that shines", scene(&(dim + ball))),
-        ("blocks", scene(&(CUBE.to_owned() + BLOCK))),
+        ("blocks", scene(&(CUBE.to_owned() + BLOCKS))),
         (
             "open to the sky, with a wall",
             scene(&("background = 0.7\n".to_owned() + &open + wall)),
@@ -118,7 +113,7 @@ fn a_wall_in_the_middle_of_a_patch_does_not_leak() {
 
 #[test]
 fn s0_26_another_view_of_the_same_light() {
-    let here = scene(&(CUBE.to_owned() + BLOCK));
+    let here = scene(&(CUBE.to_owned() + BLOCKS));
     let there = here
         .changed(|said| {
             said.camera.from = halfdisk::scene::value::Triple([0.2, 0.3, 0.8]);
@@ -150,7 +145,7 @@ fn s0_26_another_view_of_the_same_light() {
 
 #[test]
 fn the_same_patches_on_any_number_of_threads() {
-    let scene = scene(&(CUBE.to_owned() + BLOCK));
+    let scene = scene(&(CUBE.to_owned() + BLOCKS));
     let on = |threads: usize| {
         let pool = rayon::ThreadPoolBuilder::new()
             .num_threads(threads)
