@@ -39,7 +39,7 @@ impl Display for Patched {
         match mesh_error {
             Some(error) => write!(
                 f,
-                "\nerror of the patches: about {} of the indirect light, which no sample takes away (by a \
+                "\nerror of the patches: at most about {} of the indirect light, which no sample takes away (by a \
                  quarter of the patches)",
                 percent(error)
             ),

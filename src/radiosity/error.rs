@@ -11,7 +11,7 @@ pub enum RadiosityError {
     NothingDiffuse,
     /// A round shape reflects diffusely.
     #[error(
-        "{0} of the diffuse shapes are spheres, and patches are flat: use meshes in their place, or \
+        "{0} of the diffuse shapes {}, and patches are flat: use meshes in their place, or \
          another integrator"
     )]
     Spheres(usize),
@@ -51,6 +51,17 @@ pub enum RadiosityError {
     TooMany {
         /// How many there would be, or more.
         patches: usize,
+    },
+    /// Patches that rounding moves by a good part of their own size.
+    #[error(
+        "patches of about {side:.1e} stand where rounding moves points by up to {close:.1e}: move the \
+         camera nearer to them, or take larger patches"
+    )]
+    TooFar {
+        /// The root of the area of one, in scene units.
+        side: f64,
+        /// How far rounding moves its points, in scene units.
+        close: f64,
     },
     /// Walls that absorb nothing.
     #[error(

@@ -16,6 +16,7 @@
 //! Source: Goral, Torrance, Greenberg, Battaile, Modeling the Interaction of Light Between Diffuse
 //! Surfaces (SIGGRAPH 1984); Cohen, Wallace, Radiosity and Realistic Image Synthesis (1993).
 
+mod coarse;
 mod direct;
 mod error;
 mod factors;
