@@ -10,10 +10,7 @@ pub enum RadiosityError {
     )]
     NothingDiffuse,
     /// A round shape reflects diffusely.
-    #[error(
-        "{0} of the diffuse shapes {}, and patches are flat: use meshes in their place, or \
-         another integrator"
-    )]
+    #[error("{}", of_spheres(*.0))]
     Spheres(usize),
     /// Something moves.
     #[error(
@@ -80,6 +77,18 @@ pub const MOST_PATCHES: usize = 16_384;
 /// Bytes of the matrix of so many patches.
 pub fn bytes(patches: usize) -> u128 {
     4 * (patches as u128) * (patches as u128)
+}
+
+fn of_spheres(count: usize) -> String {
+    let are = if count == 1 {
+        "is a sphere"
+    } else {
+        "are spheres"
+    };
+    format!(
+        "{count} of the diffuse shapes {are}, and patches are flat: use meshes in their place, or another \
+         integrator"
+    )
 }
 
 fn gigabytes(patches: usize) -> String {

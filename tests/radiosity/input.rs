@@ -22,7 +22,7 @@ fn what_has_no_patches_is_refused_with_a_reason() {
     let many = triangle.repeat(16_385);
     for (text, size, says) in [
         (mirror, usual, "nothing in the scene is diffuse"),
-        (ball, usual, "1 of the diffuse shapes are spheres"),
+        (ball, usual, "1 of the diffuse shapes is a sphere"),
         (
             CUBE,
             PatchSize::Number(5),
