@@ -4,8 +4,9 @@ use glam::DVec3;
 use halfdisk::radiosity::{Patch, RadiosityError, form_factor};
 use std::f64::consts::PI;
 
-/// The form factor of a strip of the floor to the wall that it lies along: plain and ours. Both are of length 1, the wall
-/// is of height 1, the strip of this width.
+/// The form factor of a strip of the floor to the wall that it lies along: plain and ours.
+///
+/// * `width`: of the strip. Both are of length 1, and the wall is of height 1.
 pub fn along_a_wall(width: f64) -> Result<[f64; 2], RadiosityError> {
     let square = |corners: [[f64; 3]; 4]| {
         let corners = corners.map(DVec3::from).to_vec();

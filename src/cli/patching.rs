@@ -33,7 +33,7 @@ impl Display for Patched {
         if hidden > 0 {
             write!(
                 f,
-                "\nnote: {hidden} patches lie in the very place of others, and were left out"
+                "\nnote: {hidden} patches lie in the very place of others, which rays meet first, and were left out"
             )?;
         }
         match mesh_error {

@@ -3,8 +3,9 @@
 //! Simulates the paths `LD*(S|G)*E`. The matrix has no place for mirrors, glass and gloss: between two
 //! diffuse surfaces they only stand in the way. The eye's own rays follow them, and end at the first
 //! diffuse surface. Gloss is lit on the way by shadow rays and by the ray that follows it, both weighted.
-//! What is seen at the end is light that comes straight from lamps, by a shadow ray to each, and light from other patches, by one random direction in which the patch is looked up: the
-//! final gather of the solution. Its noise goes away with samples; the error of the patches does not.
+//! What is seen at the end is light that comes straight from lamps, by a shadow ray to each, and light from
+//! other patches, by one random direction in which the patch is looked up: the final gather of the solution.
+//! Its noise goes away with samples; the error of the patches does not.
 //!
 //! Sources: Goral, Torrance, Greenberg, Battaile, Modeling the Interaction of Light Between Diffuse
 //! Surfaces (SIGGRAPH 1984); Reichert, A Two-Pass Radiosity Method Driven by Lights and Viewer Position

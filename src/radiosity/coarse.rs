@@ -3,8 +3,9 @@
 use super::error::RadiosityError;
 use super::patches::Patch;
 
-/// A patch is told apart from its neighbours where its side is so many times the rounding of its points: the
-/// outermost of two Gauss points lies a fifth of its side away from the wall that it touches, and must be in front.
+/// A patch is told apart from its neighbours where its side is so many times the rounding of its points. The
+/// outermost of two Gauss points lies a fifth of the side away from a wall that the patch touches, and must be
+/// in front of it.
 const TOLD_APART: f64 = 8.0;
 /// The share of all area that may lie in smaller patches, such as slivers.
 const MAY_BE: f64 = 0.01;

@@ -85,7 +85,8 @@ const POINTS: usize = 8;
 impl FlatSolution {
     /// Solves the light of a world of straight walls, each cut into pieces of at most `size`.
     ///
-    /// Both sides of a wall reflect, and have patches; walls are cut where others touch or cross them. Lamps at a point and the light of the background
+    /// Both sides of a wall reflect, and have patches; walls are cut where others
+    /// touch or cross them. Lamps at a point and the light of the background
     /// have none: they are left out.
     pub fn new(world: &FlatWorld, size: f64) -> Result<FlatSolution, RadiosityError> {
         let patches = patches(world, size)?;
@@ -193,7 +194,7 @@ fn rounding(points: [DVec2; 2]) -> f64 {
 }
 
 /// Where a wall is cut: its ends, and between them the places where other walls touch or cross it, as
-/// shares of its length, in order. Light changes its course there, as on one side of a wall that stands on the floor.
+/// shares of its length, in order. Light changes its course there: a wall that stands on the floor lights one side.
 fn touched([a, b]: [DVec2; 2], close: f64, world: &FlatWorld) -> Vec<f64> {
     let (along, length) = (b - a, a.distance(b));
     let mut cuts = vec![0.0, 1.0];

@@ -12,9 +12,9 @@ const POINTS: [usize; 2] = [8, 1024];
 /// answer but one was from it.
 ///
 /// Points on the receiver are doubled along each side until two answers differ by at most `tolerance`; by
-/// more where 1024 along a side do not suffice. They crowd towards the edges ([`graded`]): at the ends of an edge that
-/// both share the view jumps from nothing to a half of the other patch, and points that lie evenly there gain
-/// four bits a doubling and no more.
+/// more where 1024 along a side do not suffice. They crowd towards the edges ([`graded`]): at the ends of an
+/// edge that both share, the view jumps from nothing to half of the other patch, and points that lie evenly
+/// gain four bits a doubling there and no more.
 ///
 /// Corners are taken as exact: unlike the rows of [`FormFactors`](super::FormFactors), which come of a scene
 /// in `f32`, points as near to the other patch as its rounding count.

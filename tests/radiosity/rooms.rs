@@ -164,7 +164,7 @@ fn strings_around_a_blocker() {
 
 #[test]
 fn a_flat_wall_in_the_middle_of_a_patch_does_not_leak() {
-    // A square room, its floor and ceiling one patch each but for a wall that stands across it at 0.6: lit on its left.
+    // A square room whose floor and ceiling would be one patch each, but for a wall at 0.6: lit on its left.
     let wall = |from: [f64; 2], to: [f64; 2], emits: &str| {
         format!(
             "[[objects]]\nmaterial = 'grey'\n{emits}segment = {{ from = {from:?}, to = {to:?} }}\n"

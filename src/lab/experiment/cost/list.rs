@@ -202,9 +202,10 @@ fn size(study: &Study<Run>, k: usize) -> Size {
     }
 }
 
-/// What a line and a bias allow to say. An integrator that is biased whatever the scene
-/// ([`Entry::biased`](crate::integrators::Entry::biased)) is never called sufficient, though its bias may still hide in
-/// its noise.
+/// What a line and a bias allow to say.
+///
+/// An integrator that is biased in any scene ([`Entry::biased`](crate::integrators::Entry::biased)) is never
+/// called sufficient, though its bias may still hide in its noise.
 fn verdict(fit: &Result<Fit, Insufficient>, bias: Option<Bias>, method: &Method) -> Verdict {
     if bias.is_some_and(|bias| bias.is_certain()) {
         return Verdict::Biased;
