@@ -239,3 +239,24 @@ impl Priced {
         }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::stats::slope::Line;
+
+    #[test]
+    fn a_biased_integrator_is_never_sufficient() {
+        let line = Line::through(&[(1.0, 1.0), (4.0, 0.5)]).unwrap();
+        let fit = Ok(Fit {
+            line,
+            std_error: 0.01,
+            half_width: 0.02,
+        });
+        let of = |name: &str| verdict(&fit, None, &Method::find(name).unwrap());
+        assert_eq!(of("path"), Verdict::Sufficient);
+        for biased in ["photons", "radiosity"] {
+            assert_eq!(of(biased), Verdict::Insufficient, "{biased}");
+        }
+    }
+}
