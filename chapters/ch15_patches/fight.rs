@@ -1,14 +1,16 @@
 //! Patches against paths: when does the solution pay?
 
 use super::shown;
+use super::stays::{Off, squared_bias};
 use halfdisk::integrators::{Integrator, Path, Radiosity};
 use halfdisk::lab::chapter::{Desk, DeskError, Number};
 use halfdisk::lab::drawing::{Axis, Curve, CurveChart, Style};
 use halfdisk::lab::experiment::cost::Reference;
 use halfdisk::radiosity::PatchSize;
+use halfdisk::render::accuracy::Scale;
 use halfdisk::render::{Options, Rendered, render};
 use halfdisk::scene::{Scene, gallery};
-use halfdisk::stats::{Estimate, jackknife};
+use halfdisk::stats::{Estimate, Measurement, jackknife};
 use halfdisk::time::Moment;
 
 /// Relative errors at which both are compared, in per cent.
@@ -41,7 +43,7 @@ fn mean(runs: &[Run]) -> Run {
 struct Fought {
     path: Vec<Run>,
     patches: Vec<Run>,
-    stays: Estimate,
+    stays: Measurement,
     mesh: Option<f64>,
 }
 
@@ -82,7 +84,7 @@ fn room(desk: &mut Desk, name: &str, scene: &Scene) -> Result<u64, DeskError> {
         }
     };
     let path = Path::new(depth);
-    let spp = desk.choose(1024, 256);
+    let spp = desk.choose(256, 64);
     let halves = [film(&path, spp, 1)?, film(&path, spp, 2)?];
     let truth = Reference::new(&halves[0].film, &halves[1].film, spp);
     let pixels = f64::from(scene.size[0] * scene.size[1]);
@@ -111,18 +113,23 @@ fn room(desk: &mut Desk, name: &str, scene: &Scene) -> Result<u64, DeskError> {
         }
         solved = Some(patches);
     }
-    let mut fought = Fought {
+    let Some(patches) = solved else {
+        return Ok(rays);
+    };
+    let off = film(
+        &Off {
+            patches: &patches,
+            path,
+        },
+        desk.choose(2048, 256),
+        3,
+    )?;
+    let fought = Fought {
         path: of_path,
         patches: of_patches,
-        stays: Estimate::new(),
-        mesh: None,
+        stays: squared_bias(&off.film, &Scale::of(&truth.picture)),
+        mesh: patches.solved().and_then(|report| report.mesh_error),
     };
-    if let Some(patches) = &solved {
-        let films = [film(patches, spp, 3)?, film(patches, spp, 4)?];
-        let stays = truth.squared_bias([&films[0].film, &films[1].film]);
-        fought.stays = stays.into_iter().collect();
-        fought.mesh = patches.solved().and_then(|report| report.mesh_error);
-    }
     say(desk, name, &fought);
     chart(desk, name, &fought)?;
     Ok(rays)
@@ -151,7 +158,7 @@ impl Fought {
     /// The break-even in points at a relative error, with its standard error: by leaving out replicates, and
     /// by what stays being not known better. None of it where either end has no break-even.
     fn points(&self, error: f64) -> (f64, Option<f64>) {
-        let stays = self.stays.mean().max(0.0);
+        let stays = self.stays.value.max(0.0);
         let at = |path: &[Run], patches: &[Run], stays| {
             break_even(&mean(path), &mean(patches), stays, error)
         };
@@ -161,7 +168,7 @@ impl Fought {
             at(&others(&self.path), &others(&self.patches), stays)
         };
         let left_out: Vec<f64> = (0..self.path.len()).map(without).collect();
-        let more = at(&self.path, &self.patches, stays + self.stays.std_error());
+        let more = at(&self.path, &self.patches, stays + self.stays.error);
         let spread = jackknife(&left_out).hypot(more - points);
         (points, spread.is_finite().then_some(spread))
     }
@@ -170,7 +177,7 @@ impl Fought {
 fn say(desk: &mut Desk, name: &str, fought: &Fought) {
     let (path, patches) = (mean(&fought.path), mean(&fought.patches));
     // The error of a root, where the square is known well enough to have one.
-    let (square, its_error) = (fought.stays.mean(), fought.stays.std_error());
+    let (square, its_error) = (fought.stays.value, fought.stays.error);
     let stays = square.max(0.0).sqrt();
     let error = (square + its_error).max(0.0).sqrt() - stays;
     let number = Number {
@@ -235,7 +242,7 @@ fn chart(desk: &mut Desk, name: &str, fought: &Fought) -> Result<(), DeskError> 
         y_axis: Axis::Log,
         curves: vec![
             curve("path", &fought.path, 0.0),
-            curve("radiosity", &fought.patches, fought.stays.mean().max(0.0)),
+            curve("radiosity", &fought.patches, fought.stays.value.max(0.0)),
         ],
     };
     let caption = "Error against seconds, from the noise and the bias measured in small pictures. Patches begin late, and \

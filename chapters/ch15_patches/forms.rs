@@ -4,7 +4,7 @@ use super::room::Room;
 use glam::DVec3;
 use halfdisk::lab::chapter::{Desk, DeskError};
 use halfdisk::lab::drawing::{Axis, HeatMap};
-use halfdisk::radiosity::{FormFactors, Patch, gauss_legendre, points_on};
+use halfdisk::radiosity::{FormFactors, Patch, form_factor, gauss_legendre, points_on};
 use std::f64::consts::PI;
 
 /// Facing squares at distance 1, and squares that share an edge.
@@ -44,6 +44,9 @@ pub fn work(desk: &mut Desk) -> Result<(), DeskError> {
                 exact,
             );
         }
+        let says = format!("{says}, points doubled until two answers agree");
+        let [found, _] = form_factor(&pair[0], &pair[1], 1e-12);
+        desk.known(&format!("{name}_doubled"), &says, found, exact);
     }
     matrix(desk)
 }

@@ -10,6 +10,7 @@ mod rates;
 mod room;
 mod shown;
 mod solvers;
+mod stays;
 
 use halfdisk::lab::chapter::{Chapter, Desk, DeskError};
 use halfdisk::lab::ledger::Ledger;

@@ -11,6 +11,7 @@ use halfdisk::sampling::stream::Stream;
 use halfdisk::scene::description::{Description, Material};
 use halfdisk::scene::value::{Albedo, Roughness};
 use halfdisk::scene::{Scene, Tracer, gallery};
+use halfdisk::time::Moment;
 
 /// How patches are looked at.
 #[derive(Clone, Copy, PartialEq)]
@@ -93,7 +94,7 @@ pub fn work(desk: &mut Desk) -> Result<u64, DeskError> {
         let says = "error that the patches leave of the indirect light, %";
         desk.value("box_mesh", says, 100.0 * error);
     }
-    let mut rays = effort.rays;
+    let mut rays = effort.rays + prices(desk, &scene)?;
     let solution = made.solution();
     for (file, how, caption) in [
         (
@@ -121,6 +122,43 @@ pub fn work(desk: &mut Desk) -> Result<u64, DeskError> {
                    integrator `radiosity`.";
     desk.picture("gathered.png", caption, &drawn.film, &scene)?;
     Ok(rays + drawn.rays.total())
+}
+
+/// What a number of patches costs, and twice as many; the shadow rays that took.
+fn prices(desk: &mut Desk, scene: &Scene) -> Result<u64, DeskError> {
+    let mut rays = 0;
+    for (name, number) in [
+        ("some", desk.choose(1000, 250)),
+        ("twice", desk.choose(2000, 500)),
+    ] {
+        let bar = desk.bar("patches");
+        let start = Moment::now();
+        let made = Radiosity::new(scene, 2, PatchSize::Number(number), &bar)?;
+        let seconds = start.elapsed().unwrap_or_default().as_secs_f64();
+        drop(bar);
+        let effort = made.solution().effort;
+        let mut say = |key: &str, says: &str, value: f64| {
+            let says = format!("at most {number} patches: {says}");
+            desk.value(&format!("{key}_{name}"), &says, value);
+        };
+        say("patches", "patches", effort.patches as f64);
+        say(
+            "megabytes",
+            "megabytes of form factors",
+            effort.bytes as f64 / 1e6,
+        );
+        say("shadow", "million shadow rays", effort.rays as f64 / 1e6);
+        say("time_solve", "seconds", seconds);
+        if let Some(error) = made.solved().and_then(|report| report.mesh_error) {
+            say(
+                "mesh",
+                "error of the indirect light, at most about, %",
+                100.0 * error,
+            );
+        }
+        rays += effort.rays;
+    }
+    Ok(rays)
 }
 
 fn paint(desk: &Desk, scene: &Scene, by: &impl Integrator) -> Result<Rendered, DeskError> {

@@ -1,11 +1,13 @@
 //! One number for each case: how far the plain form is off, and ours.
 
+use super::patches::along_a_wall;
 use glam::{DVec3, Vec3};
 use halfdisk::geometry::{Aabb, PreparedRay, Ray, Sphere, Triangle};
 use halfdisk::integrators::Survival;
 use halfdisk::lab::naive;
 use halfdisk::materials::{Glass, fresnel, ggx::Ggx};
 use halfdisk::numeric;
+use halfdisk::radiosity::RadiosityError;
 use halfdisk::sampling::mis::Heuristic;
 use halfdisk::sampling::stream::{Numbers, Purpose, Stream};
 use halfdisk::sampling::{frame::Frame, half_disk, warps};
@@ -36,10 +38,10 @@ fn case(name: &'static str, says: &'static str, [plain, ours]: [f64; 2], truth: 
 }
 
 /// All of them, with `n` samples where there is something to sample.
-pub fn all(n: u32, seed: u64) -> Vec<Case> {
+pub fn all(n: u32, seed: u64) -> Result<Vec<Case>, RadiosityError> {
     let last = Vec3::new(0.000_385_273_16, 0.000_384_600_16, -0.999_999_9);
     let sums = sums(10 * n, seed);
-    vec![
+    Ok(vec![
         case(
             "sphere",
             "hits lost on a sphere ten thousand radii away",
@@ -109,7 +111,19 @@ pub fn all(n: u32, seed: u64) -> Vec<Case> {
             sums[1],
             1.0 / 3.0,
         ),
-    ]
+        case(
+            "edge",
+            "form factor of squares that share an edge",
+            along_a_wall(1.0)?,
+            0.200_043_776_1,
+        ),
+        case(
+            "sliver",
+            "form factor of a sliver to the wall that it lies along",
+            along_a_wall(1e-6)?,
+            0.5,
+        ),
+    ])
 }
 
 /// The share of rays aimed inside a small sphere that miss it.

@@ -6,6 +6,7 @@
 
 mod cases;
 mod leaving;
+mod patches;
 
 use halfdisk::lab::chapter::{Chapter, Desk, DeskError, Number};
 use halfdisk::lab::drawing::{Axis, Curve, CurveChart, Style};
@@ -29,7 +30,7 @@ fn work(desk: &mut Desk) -> Result<Ledger, DeskError> {
     // Where the plain form fails, and ours does not.
     let n = desk.choose(1_000_000, 20_000);
     let seed = desk.options.seed;
-    for case in cases::all(n, seed) {
+    for case in cases::all(n, seed)? {
         let whose = |whose: &str, value: f64| {
             Number::new(&format!("{}: {whose}", case.says), value).exact(case.truth)
         };

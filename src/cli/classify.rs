@@ -286,6 +286,11 @@ impl Display for Sorted {
         }
         let off = self.sum_is_off_by;
         write!(f, "{}", self.missing)?;
+        for entry in LADDER {
+            if let Some(why) = entry.biased {
+                writeln!(f, "{} is biased: {why}", entry.name)?;
+            }
+        }
         writeln!(
             f,
             "the classes add up to the picture within {off:.0e} of its mean"

@@ -3,7 +3,7 @@
 use super::Stop;
 use crate::integrators::Entry;
 use crate::lab::chapter::whole;
-use crate::radiosity::{MOST_PATCHES, PatchSize, Report};
+use crate::radiosity::{PatchSize, Report};
 use crate::render::stopping::percent;
 use clap::Args;
 use serde::Serialize;
@@ -33,13 +33,13 @@ impl Display for Patched {
         if hidden > 0 {
             write!(
                 f,
-                "\nnote: {hidden} patches lie in the very place of others, and were left out"
+                "\nnote: {hidden} patches lie in the very place of others, which rays meet first, and were left out"
             )?;
         }
         match mesh_error {
             Some(error) => write!(
                 f,
-                "\nerror of the patches: about {} of the indirect light, which no sample takes away (by a \
+                "\nerror of the patches: at most about {} of the indirect light, which no sample takes away (by a \
                  quarter of the patches)",
                 percent(error)
             ),
@@ -83,9 +83,7 @@ impl Patching {
     }
 
     /// Refuses what makes no sense together.
-    ///
-    /// * `has_target`: an error is asked for.
-    pub fn check(&self, integrator: Entry, has_target: bool) -> Result<(), Stop> {
+    pub fn check(&self, integrator: Entry) -> Result<(), Stop> {
         let name = integrator.name;
         let said = match (self.patches, self.patch_size) {
             (Some(_), _) => Some("--patches"),
@@ -95,10 +93,6 @@ impl Patching {
         match said {
             Some(said) if !integrator.is_prepared() => Err(Stop::Input(format!(
                 "{said}: `{name}` has no patches, only `radiosity` has"
-            ))),
-            _ if integrator.is_prepared() && has_target => Err(Stop::Input(format!(
-                "--target-error: samples take the noise of `{name}` away, and not the error that comes \
-                 of the size of its patches; give --spp, and --patches up to {MOST_PATCHES}"
             ))),
             _ => Ok(()),
         }

@@ -161,8 +161,7 @@ impl Render {
         }
         let max_depth = self.max_depth(&scene)?;
         self.light_paths.check(self.integrator)?;
-        self.patching
-            .check(self.integrator, self.ending.goal().error.is_some())?;
+        self.patching.check(self.integrator)?;
         // Checked before any work, so that none is lost to a misspelt name or a closed folder.
         let path = self.path();
         output::prepare(&path, &scene)?;
@@ -172,6 +171,20 @@ impl Render {
         }
         use_threads(self.threads)?;
 
+        // What refuses the scene says so before anything else is said.
+        let start = Moment::now();
+        let made: Box<dyn Integrator + '_> = match &wanted {
+            None => self.prepare(&scene, max_depth)?,
+            Some(wanted) => Box::new(FilteredPath {
+                path: PathTracer {
+                    light_paths: self.light_paths.asked(),
+                    ..PathTracer::new(max_depth)
+                },
+                paths: &wanted.eye_first,
+            }),
+        };
+        let seconds = start.elapsed().unwrap_or_default().as_secs_f64();
+        let solved = made.solved().map(|&report| Patched { report, seconds });
         let mut left_out = self
             .integrator
             .finds()
@@ -184,26 +197,7 @@ impl Render {
                 tell(notes.trim_end());
             }
         }
-        let (mut solved, mut kept_integrator) = (None, None);
-        let outcome = match &wanted {
-            None => {
-                let start = Moment::now();
-                let made = self.prepare(&scene, max_depth)?;
-                let seconds = start.elapsed().unwrap_or_default().as_secs_f64();
-                solved = made.solved().map(|&report| Patched { report, seconds });
-                let outcome = self.with(&scene, &made);
-                kept_integrator = Some(made);
-                outcome
-            }
-            Some(wanted) => {
-                let path = PathTracer {
-                    light_paths: self.light_paths.asked(),
-                    ..PathTracer::new(max_depth)
-                };
-                let paths = &wanted.eye_first;
-                self.with(&scene, &FilteredPath { path, paths })
-            }
-        };
+        let outcome = self.with(&scene, &made);
         let rendered = &outcome.rendered;
         if rendered.interrupted && rendered.film.pixels().iter().all(|p| p.count() == 0) {
             tell("interrupted before the first sample: nothing is written");
@@ -226,13 +220,19 @@ impl Render {
         let path = &kept.path;
         let mut seen = Vec::new();
         for view in views.iter().filter(|_| !rendered.interrupted) {
-            let Some(made) = &kept_integrator else { break };
-            let moved = view.integrator(&scene, made);
+            let moved = view.integrator(&scene, &made);
             let drawn = self
-                .with(&view.scene, moved.as_ref().unwrap_or(made))
+                .with(&view.scene, moved.as_ref().unwrap_or(&made))
                 .rendered;
             output::write(&view.path, &drawn.film, display, &facts)?;
             seen.push(view.path.display().to_string());
+            let black = left_out
+                .as_ref()
+                .filter(|_| drawn.is_black() && !self.quiet);
+            if let Some(left_out) = black {
+                let why = left_out.why_black(&view.scene, max_depth);
+                tell(format!("note: {} is black: {why}", view.path.display()));
+            }
             if drawn.interrupted {
                 break;
             }

@@ -2,9 +2,10 @@
 //!
 //! Simulates the paths `LD*(S|G)*E`. The matrix has no place for mirrors, glass and gloss: between two
 //! diffuse surfaces they only stand in the way. The eye's own rays follow them, and end at the first
-//! diffuse surface. What is seen there is light that comes straight from lamps, by a shadow ray to
-//! each, and light from other patches, by one random direction in which the patch is looked up: the
-//! final gather of the solution. Its noise goes away with samples; the error of the patches does not.
+//! diffuse surface. Gloss is lit on the way by shadow rays and by the ray that follows it, both weighted.
+//! What is seen at the end is light that comes straight from lamps, by a shadow ray to each, and light from
+//! other patches, by one random direction in which the patch is looked up: the final gather of the solution.
+//! Its noise goes away with samples; the error of the patches does not.
 //!
 //! Sources: Goral, Torrance, Greenberg, Battaile, Modeling the Interaction of Light Between Diffuse
 //! Surfaces (SIGGRAPH 1984); Reichert, A Two-Pass Radiosity Method Driven by Lights and Viewer Position
@@ -17,6 +18,7 @@ use crate::geometry::Ray;
 use crate::materials::{Bsdf, Event};
 use crate::radiosity::{PatchSize, RadiosityError, Report, Solution, Watch};
 use crate::sampling::hemisphere;
+use crate::sampling::mis::Heuristic;
 use crate::sampling::stream::{Purpose, Stream};
 use crate::scene::{Interaction, Scene, Tracer};
 use glam::{DVec3, Vec3};
@@ -34,6 +36,9 @@ pub struct Radiosity {
 const BECAUSE: &str = "patches hold diffuse light alone, and only rays from the eye follow mirrors, glass and \
                        gloss";
 
+/// Why its scatter is not all of its error.
+const BIAS: &str = "the light that patches hold is off by the size of the patches";
+
 impl Radiosity {
     /// Its row of the table.
     pub const ENTRY: Entry = {
@@ -43,6 +48,7 @@ impl Radiosity {
         };
         Entry {
             is_endless: true,
+            biased: Some(BIAS),
             ..Entry::of_solved_light(
                 [
                     "radiosity",
@@ -55,7 +61,7 @@ impl Radiosity {
                     image: all,
                     sky: all,
                     points: Found {
-                        paths: Some("LD+(S|G)*E"),
+                        paths: Some("L(D+|G)(S|G)*E"),
                         because: BECAUSE,
                     },
                     by_chance: false,
@@ -100,25 +106,40 @@ impl Radiosity {
         let mut li = Rgb::BLACK;
         let mut beta = Rgb::WHITE;
         let mut ray = *ray;
+        // The glossy surface that drew the ray, and with what density.
+        let mut drawn: Option<(Interaction, f32)> = None;
         for depth in 1..=self.max_depth {
             let hit = tracer.intersect(&ray, depth);
-            li += beta * tracer.emitted(&ray, hit.as_ref());
+            let weight = drawn.map_or(1.0, |(from, pdf)| {
+                Heuristic::Power.weight(pdf, tracer.pdf_light(&from, &ray, hit.as_ref()))
+            });
+            li += beta * tracer.emitted(&ray, hit.as_ref()) * weight;
             let Some(here) = hit else { break };
 
             let vertex = u64::from(depth);
             let albedo = diffuse_albedo(&here);
-            if !albedo.is_black() {
+            let is_diffuse = !albedo.is_black();
+            if is_diffuse {
                 let lights = 0..tracer.scene().lights.len();
                 let direct = lights.filter_map(|l| tracer.sample_light(&here, l, vertex, stream));
                 let direct: Rgb = direct.map(|light| light.scattered()).sum();
                 li += beta * (direct + albedo * self.gather(tracer, &here, vertex, stream));
             }
 
-            // Mirrors, glass and gloss are followed.
-            let step = tracer.sample_bsdf(&here, vertex, stream);
-            let Some(step) = step.filter(|step| step.event != Event::Diffuse) else {
+            // Mirrors, glass and gloss are followed; gloss is also lit by shadow rays.
+            if depth == self.max_depth {
+                break;
+            }
+            if !is_diffuse {
+                li += beta * lit(tracer, &here, vertex, stream);
+            }
+            let Some(step) = tracer.sample_bsdf(&here, vertex, stream) else {
                 break;
             };
+            if is_diffuse && step.event == Event::Diffuse {
+                break;
+            }
+            drawn = step.pdf.map(|pdf| (here, pdf));
             beta *= step.weight;
             ray = step.ray;
         }
@@ -141,6 +162,19 @@ impl Radiosity {
         })
     }
     // ANCHOR_END: radiosity
+}
+
+/// What a surface that is followed scatters of the light of all lights, by a shadow ray to each: its share, for
+/// the ray that follows it finds them, too.
+fn lit<'a>(tracer: &mut Tracer<'a>, here: &Interaction<'a>, vertex: u64, stream: &Stream) -> Rgb {
+    let mut sum = Rgb::BLACK;
+    for light in 0..tracer.lights() {
+        if let Some(direct) = tracer.sample_light(here, light, vertex, stream) {
+            let share = |pdf| Heuristic::Power.weight(pdf, direct.pdf_bsdf);
+            sum += direct.scattered() * direct.pdf.map_or(1.0, share);
+        }
+    }
+    sum
 }
 
 /// The share of light that a point scatters ideally diffusely.

@@ -10,10 +10,7 @@ pub enum RadiosityError {
     )]
     NothingDiffuse,
     /// A round shape reflects diffusely.
-    #[error(
-        "{0} of the diffuse shapes are spheres, and patches are flat: use meshes in their place, or \
-         another integrator"
-    )]
+    #[error("{}", of_spheres(*.0))]
     Spheres(usize),
     /// Something moves.
     #[error(
@@ -52,6 +49,17 @@ pub enum RadiosityError {
         /// How many there would be, or more.
         patches: usize,
     },
+    /// Patches that rounding moves by a good part of their own size.
+    #[error(
+        "patches of about {side:.1e} stand where rounding moves points by up to {close:.1e}: move the \
+         camera nearer to them, or take larger patches"
+    )]
+    TooFar {
+        /// The root of the area of one, in scene units.
+        side: f64,
+        /// How far rounding moves its points, in scene units.
+        close: f64,
+    },
     /// Walls that absorb nothing.
     #[error(
         "the light does not settle: walls that reflect all light enclose a lamp, and it grows without \
@@ -69,6 +77,18 @@ pub const MOST_PATCHES: usize = 16_384;
 /// Bytes of the matrix of so many patches.
 pub fn bytes(patches: usize) -> u128 {
     4 * (patches as u128) * (patches as u128)
+}
+
+fn of_spheres(count: usize) -> String {
+    let are = if count == 1 {
+        "is a sphere"
+    } else {
+        "are spheres"
+    };
+    format!(
+        "{count} of the diffuse shapes {are}, and patches are flat: use meshes in their place, or another \
+         integrator"
+    )
 }
 
 fn gigabytes(patches: usize) -> String {

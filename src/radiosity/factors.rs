@@ -18,6 +18,7 @@ use super::{Matrix, Watch};
 use crate::geometry::Surface;
 use crate::sampling::stream::{Purpose, Stream};
 use crate::scene::{Scene, Tracer};
+use crate::stats::Estimate;
 use glam::DVec3;
 use rayon::prelude::*;
 use std::sync::atomic::{AtomicU64, Ordering};
@@ -54,7 +55,7 @@ impl<'a> FormFactors<'a> {
             if watch.stop() {
                 return Err(RadiosityError::Stopped);
             }
-            rays.fetch_add(self.fill(i, row), Ordering::Relaxed);
+            rays.fetch_add(self.fill(i, 0, row), Ordering::Relaxed);
             watch.tell(done.fetch_add(1, Ordering::Relaxed) + 1, size as u64);
             Ok(())
         };
@@ -66,14 +67,27 @@ impl<'a> FormFactors<'a> {
     /// One row in double precision.
     pub fn row(&self, i: usize) -> Vec<f64> {
         let mut row = vec![0.0; self.patches.len()];
-        self.fill(i, &mut row);
+        self.fill(i, 0, &mut row);
         row
+    }
+
+    /// The sum of row `i` over so many replicates, each with random points of its own for its shadow rays: in a
+    /// closed room its expectation is 1, and [`Estimate::std_error`] says how near to it so many rays come.
+    /// Replicate 0 is the row of [`FormFactors::matrix`].
+    pub fn row_sum(&self, i: usize, replicates: u32) -> Estimate {
+        let mut row = vec![0.0; self.patches.len()];
+        let sums = (0..replicates).map(|replicate| {
+            row.fill(0.0);
+            self.fill(i, replicate, &mut row);
+            row.iter().sum()
+        });
+        sums.collect()
     }
 
     // ANCHOR: row
     /// Fills the row of patch `i`: for each other patch the mean over points of `i` of the part of the
     /// view that it takes up, where it is visible. Returns the number of shadow rays.
-    fn fill<T: FromFactor>(&self, i: usize, row: &mut [T]) -> u64 {
+    fn fill<T: FromFactor>(&self, i: usize, replicate: u32, row: &mut [T]) -> u64 {
         let receiver = &self.patches[i];
         let points = points_on(&receiver.polygon, &gauss_legendre(self.points));
         let mut desk = Desk {
@@ -86,7 +100,7 @@ impl<'a> FormFactors<'a> {
             }
             let mut factor = 0.0;
             for (g, (p, weight)) in points.iter().enumerate() {
-                let aim = Stream::new(SEED, i as u32, g as u32);
+                let aim = Stream::new(SEED, i as u32, replicate * points.len() as u32 + g as u32);
                 factor += weight * desk.seen(receiver, *p, other, j as u64, aim);
             }
             *entry = T::from_factor(factor);

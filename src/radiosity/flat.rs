@@ -85,7 +85,8 @@ const POINTS: usize = 8;
 impl FlatSolution {
     /// Solves the light of a world of straight walls, each cut into pieces of at most `size`.
     ///
-    /// Both sides of a wall reflect, and have patches. Lamps at a point and the light of the background
+    /// Both sides of a wall reflect, and have patches; walls are cut where others
+    /// touch or cross them. Lamps at a point and the light of the background
     /// have none: they are left out.
     pub fn new(world: &FlatWorld, size: f64) -> Result<FlatSolution, RadiosityError> {
         let patches = patches(world, size)?;
@@ -150,33 +151,91 @@ fn patches(world: &FlatWorld, size: f64) -> Result<Vec<FlatPatch>, RadiosityErro
         let [albedo, emission] =
             [object.albedo, object.emission].map(|rgb| rgb.channels().map(f64::from));
         let [a, b] = segment.ends().map(|p| p.as_dvec2());
-        let pieces = (a.distance(b) / size - 1e-6).ceil().max(1.0);
-        if pieces > super::MOST_PATCHES as f64 {
-            return Err(RadiosityError::TooMany {
-                patches: pieces as usize,
-            });
-        }
-        let close = f64::from(crate::numeric::gamma(16)) * a.abs().max(b.abs()).max_element();
-        for k in 0..pieces as u32 {
-            let at = |k: u32| a + (b - a) * (f64::from(k) / pieces);
-            let front = FlatPatch {
-                ends: [at(k), at(k + 1)],
-                albedo,
-                emission,
-                close,
-            };
-            let back = FlatPatch {
-                ends: [at(k + 1), at(k)],
-                emission: [0.0; 3],
-                ..front
-            };
-            patches.extend([front, back]);
+        let close = rounding([a, b]);
+        let touched = touched([a, b], close, world);
+        for interval in touched.windows(2) {
+            let long = (interval[1] - interval[0]) * a.distance(b);
+            let pieces = (long / size - 1e-6).ceil().max(1.0);
+            if pieces > super::MOST_PATCHES as f64 {
+                return Err(RadiosityError::TooMany {
+                    patches: pieces as usize,
+                });
+            }
+            for k in 0..pieces as u32 {
+                let at = |k: u32| {
+                    let share = f64::from(k) / pieces;
+                    a + (b - a) * (interval[0] + (interval[1] - interval[0]) * share)
+                };
+                let front = FlatPatch {
+                    ends: [at(k), at(k + 1)],
+                    albedo,
+                    emission,
+                    close,
+                };
+                let back = FlatPatch {
+                    ends: [at(k + 1), at(k)],
+                    emission: [0.0; 3],
+                    ..front
+                };
+                patches.extend([front, back]);
+            }
         }
     }
     match round {
         0 => Ok(patches),
         n => Err(RadiosityError::Spheres(n)),
     }
+}
+
+/// A bound on how far rounding to `f32` moves a point, in scene units.
+fn rounding(points: [DVec2; 2]) -> f64 {
+    let largest = points.map(|p| p.abs().max_element());
+    f64::from(crate::numeric::gamma(16)) * largest[0].max(largest[1])
+}
+
+/// Where a wall is cut: its ends, and between them the places where other walls touch or cross it, as
+/// shares of its length, in order. Light changes its course there: a wall that stands on the floor lights one side.
+fn touched([a, b]: [DVec2; 2], close: f64, world: &FlatWorld) -> Vec<f64> {
+    let (along, length) = (b - a, a.distance(b));
+    let mut cuts = vec![0.0, 1.0];
+    for part in world.parts() {
+        let Shape::Segment(other) = part.shape else {
+            continue;
+        };
+        let ends = other.ends().map(|p| p.as_dvec2());
+        let close = close.max(rounding(ends));
+        let heights = ends.map(|p| along.perp_dot(p - a) / length);
+        let share = |p: DVec2| along.dot(p - a) / (length * length);
+        let mut cut = |share: f64| {
+            let inside = share * length > close && (1.0 - share) * length > close;
+            if inside {
+                cuts.push(share);
+            }
+        };
+        let touches = heights.map(|h| h.abs() <= close);
+        for (p, touches) in ends.into_iter().zip(touches) {
+            if touches {
+                cut(share(p));
+            }
+        }
+        if touches == [false; 2] && heights[0] * heights[1] < 0.0 {
+            let [p, q] = ends;
+            cut(share(
+                p + (q - p) * (heights[0] / (heights[0] - heights[1])),
+            ));
+        }
+    }
+    cuts.sort_by(f64::total_cmp);
+    let mut apart = vec![0.0];
+    for share in cuts {
+        if apart
+            .last()
+            .is_some_and(|last| (share - last) * length > close)
+        {
+            apart.push(share);
+        }
+    }
+    apart
 }
 
 /// The form factor between two patches.

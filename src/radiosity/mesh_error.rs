@@ -17,10 +17,11 @@ use crate::scene::{Scene, Tracer};
 pub struct Report {
     /// What it took.
     pub effort: Effort,
-    /// Pieces of surface left out because others lie in their very place.
+    /// Pieces of surface left out because others lie in their very place: those that rays do not meet,
+    /// by any other integrator either. So the scene is not refused.
     pub hidden: usize,
-    /// The root mean square error of the indirect light that comes of the patches' size, relative to its
-    /// mean; `None` where the patches cannot be any larger, to compare with.
+    /// At most about the root mean square error of the indirect light that comes of the patches' size,
+    /// relative to its mean; `None` where the patches cannot be any larger, to compare with.
     pub mesh_error: Option<f64>,
 }
 

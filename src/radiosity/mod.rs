@@ -6,6 +6,7 @@
 //!
 //! * [`Patches`]: from a scene, cut where surfaces touch.
 //! * [`FormFactors`]: how much patches see of each other, a [`Matrix`].
+//! * [`form_factor`]: of two patches alone, to any number of digits.
 //! * [`System`]: solved by Gauss-Seidel, Jacobi or Southwell.
 //! * [`Solution`]: looked at as it is, interpolated, or gathered once more.
 //!
@@ -15,6 +16,7 @@
 //! Source: Goral, Torrance, Greenberg, Battaile, Modeling the Interaction of Light Between Diffuse
 //! Surfaces (SIGGRAPH 1984); Cohen, Wallace, Radiosity and Realistic Image Synthesis (1993).
 
+mod coarse;
 mod direct;
 mod error;
 mod factors;
@@ -22,6 +24,7 @@ pub mod flat;
 mod lambert;
 mod matrix;
 mod mesh_error;
+mod pair;
 mod patches;
 mod pieces;
 mod quadrature;
@@ -35,8 +38,9 @@ pub use factors::FormFactors;
 pub use lambert::point_to_polygon;
 pub use matrix::Matrix;
 pub use mesh_error::Report;
+pub use pair::form_factor;
 pub use patches::{Patch, PatchSize, Patches};
-pub use quadrature::{gauss_legendre, points_on};
+pub use quadrature::{gauss_legendre, graded, points_on};
 pub use solution::{Effort, POINTS, Solution, system};
 pub use system::{Channels, Solved, System};
 pub use watch::Watch;

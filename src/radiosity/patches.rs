@@ -1,5 +1,6 @@
 //! From a scene to patches.
 
+use super::coarse::refuse_coarse;
 use super::error::{MOST_PATCHES, RadiosityError};
 use super::pieces::Pieces;
 use super::quadrature::{area_vector, gauss_legendre, points_on};
@@ -112,32 +113,33 @@ impl Patches {
         let sides = sides(scene)?;
         // Before any work that takes the square of their number.
         let least = sides.iter().filter(|side| side.counts).count();
+        let patches = sides.len();
         match size {
+            _ if patches > MOST_PATCHES => return Err(RadiosityError::TooMany { patches }),
             PatchSize::Number(asked) if asked < least => {
                 return Err(RadiosityError::TooFew { asked, least });
-            }
-            _ if sides.len() > MOST_PATCHES => {
-                let patches = sides.len();
-                return Err(RadiosityError::TooMany { patches });
             }
             _ => {}
         }
         let cut = touched(&sides);
-        match size {
-            PatchSize::Length(length) => Patches::of_length(&sides, &cut, length),
-            PatchSize::Number(number) => {
-                let whole = Patches::build(&sides, &cut, f64::INFINITY);
-                let least = whole.all.len();
-                if least > number {
-                    let asked = number;
-                    return Err(RadiosityError::TooFew { asked, least });
-                }
-                if number > MOST_PATCHES {
-                    return Err(RadiosityError::TooMany { patches: number });
-                }
-                Ok(of_number(&sides, &cut, number, whole))
-            }
+        let patches = match size {
+            PatchSize::Length(length) => Patches::of_length(&sides, &cut, length)?,
+            PatchSize::Number(number) => Patches::at_most(&sides, &cut, number)?,
+        };
+        refuse_coarse(&patches.all)?;
+        Ok(patches)
+    }
+
+    fn at_most(sides: &[Side], cut: &[Pieces], number: usize) -> Result<Patches, RadiosityError> {
+        let whole = Patches::build(sides, cut, f64::INFINITY);
+        let (asked, least) = (number, whole.all.len());
+        if least > number {
+            return Err(RadiosityError::TooFew { asked, least });
         }
+        if number > MOST_PATCHES {
+            return Err(RadiosityError::TooMany { patches: number });
+        }
+        Ok(of_number(sides, cut, number, whole))
     }
 
     fn of_length(sides: &[Side], cut: &[Pieces], length: f64) -> Result<Patches, RadiosityError> {

@@ -78,11 +78,100 @@ fn views_that_cannot_be_are_refused() {
     ];
     let sentence = refused(folder.path(), &twice, 2);
     assert!(sentence.contains("another view goes to"), "{sentence}");
-    refused(
-        folder.path(),
-        &["render", "here.toml", "--camera", "nowhere"],
-        2,
+    let with =
+        |file: &str| ["render", "here.toml", "--spp", "1", "--camera", file].map(str::to_owned);
+    let said = |file: &str| {
+        let arguments = with(file);
+        refused(folder.path(), &arguments.each_ref().map(String::as_str), 2)
+    };
+    assert!(said("nowhere.toml").starts_with("nowhere.toml: "));
+    let wide = scene("[0, 1, 4]").replace("fov = 60", "fov = 400");
+    std::fs::write(folder.path().join("wide.toml"), wide).unwrap();
+    let sentence = said("wide.toml");
+    assert!(
+        sentence.starts_with("wide.toml:2: `camera.fov` "),
+        "{sentence}"
     );
+}
+
+#[test]
+fn an_empty_view_says_why() {
+    let folder = folder();
+    let write = |name: &str, text: String| std::fs::write(folder.path().join(name), text).unwrap();
+    let block =
+        "[[objects]]\nmaterial = 'grey'\nbox = { min = [-0.5, 0, -0.5], max = [0.5, 1, 0.5] }\n";
+    let at = |from: &str| scene(from) + block;
+    write("here.toml", at("[0, 1, 4]"));
+    write("inside.toml", at("[0.1, 0.4, 0.2]"));
+    write(
+        "away.toml",
+        at("[0, 1, 4]").replace("to = [0, 0.5, 0]", "to = [0, 1, 40]"),
+    );
+    for integrator in ["path", "radiosity"] {
+        let usual = [
+            "render",
+            "here.toml",
+            "--spp",
+            "4",
+            "--integrator",
+            integrator,
+        ];
+        let views = [
+            "--camera",
+            "inside.toml",
+            "--camera",
+            "away.toml",
+            "--camera",
+            "here.toml",
+        ];
+        let out = ["--out", "a.png"];
+        let output = halfdisk(folder.path(), &[&usual[..], &views, &out].concat());
+        let said = complaint(&output);
+        assert_eq!(output.status.code(), Some(0), "{said}");
+        let inside = "note: a-inside.png is black: the camera is inside an object";
+        assert!(said.contains(inside), "{said}");
+        assert!(
+            said.contains("note: a-away.png is black: the camera sees nothing"),
+            "{said}"
+        );
+        assert_eq!(said.matches("is black").count(), 2, "{said}");
+    }
+    // The first view is as bad as any other.
+    let inside = [
+        "render",
+        "inside.toml",
+        "--spp",
+        "4",
+        "--integrator",
+        "radiosity",
+    ];
+    let said = complaint(&halfdisk(folder.path(), &inside));
+    assert!(
+        said.contains("the picture is black: the camera is inside an object"),
+        "{said}"
+    );
+}
+
+#[test]
+fn a_scene_without_patches_is_refused_in_one_sentence() {
+    let folder = folder();
+    // Radiosity also leaves out light of these scenes, which is of no interest then.
+    for (scene, why) in [
+        ("motion", "something moves"),
+        ("final", "is a sphere"),
+        ("mesh", "form factors"),
+    ] {
+        let sentence = refused(
+            folder.path(),
+            &["render", scene, "--integrator", "radiosity"],
+            2,
+        );
+        assert!(
+            sentence.starts_with("--integrator radiosity: "),
+            "{sentence}"
+        );
+        assert!(sentence.contains(why), "{sentence}");
+    }
 }
 
 #[test]

@@ -69,7 +69,8 @@
 //! | A47 order | `structure::a47_*`, `determinism::*` | sums of parts differ |
 //! | A48 faint paths | `structure::a48_*` | a hundred times the rays |
 //! | A50 patches of any size | `patches::a50_rooms_of_*` | a fixed offset: half the pairs are hidden and more |
-//! | A50 patches far away, slivers | `patches::a50_*_far_*`, `patches::a50_slivers_*` | |
+//! | A50 patches far away | `patches::a50_*_far_*` | a fixed offset of 1e-4 sees nothing |
+//! | A50 slivers | `patches::a50_slivers_*` | centre to centre: nothing in place of a half |
 //! | A50 patches that touch | `patches::a50_patches_*`, `radiosity::forms::*` | centre to centre: off by its own size |
 //! | A51 absent effects | `effects::bits::*` | a kernel without gloss |
 //! | A52 effects overlooked | `effects::bits::*` | |

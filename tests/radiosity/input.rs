@@ -17,9 +17,12 @@ fn what_has_no_patches_is_refused_with_a_reason() {
     let usual = PatchSize::default();
     let mirror = "[[objects]]\nmaterial = 'mirror'\nquad = { corner = [0, 0, 0], u = [1, 0, 0], v = [0, 1, 0] }\n";
     let ball = "[[objects]]\nmaterial = 'half'\nsphere = { center = [0, 0, 0], radius = 0.1 }\n";
+    // More sides than any number of patches allows: a thousand, as usual, are not what is wrong.
+    let triangle = "[[objects]]\nmaterial = 'half'\ntriangle = { a = [0, 0, 0], b = [1, 0, 0], c = [0, 1, 0] }\n";
+    let many = triangle.repeat(16_385);
     for (text, size, says) in [
         (mirror, usual, "nothing in the scene is diffuse"),
-        (ball, usual, "1 of the diffuse shapes are spheres"),
+        (ball, usual, "1 of the diffuse shapes is a sphere"),
         (
             CUBE,
             PatchSize::Number(5),
@@ -34,6 +37,11 @@ fn what_has_no_patches_is_refused_with_a_reason() {
             CUBE,
             PatchSize::Length(0.001),
             "6000000 patches have 144000 GB of form factors",
+        ),
+        (
+            &many,
+            usual,
+            "16385 patches have 1.1 GB of form factors, and 1.1 GB (16384 patches) are allowed",
         ),
         (CUBE, PatchSize::Length(0.0), "a patch cannot be 0 long"),
         (

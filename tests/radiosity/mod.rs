@@ -51,6 +51,11 @@ material = 'half'
 quad = { corner = [1, 0, 0], u = [0, 0, 1], v = [0, 1, 0] }
 ";
 
+/// A block in the cube, and one that floats.
+const BLOCKS: &str = "[[objects]]\nmaterial = 'red'\n\
+    box = { min = [0.55, 0, 0.1], max = [0.85, 0.4, 0.4] }\n\
+    [[objects]]\nmaterial = 'red'\nbox = { min = [0.1, 0.55, 0.1], max = [0.3, 0.7, 0.3] }\n";
+
 /// The cube's patches, `n` along each edge; the floor's come first.
 fn cube(n: u32) -> Vec<Patch> {
     let size = PatchSize::Length(1.0 / f64::from(n));

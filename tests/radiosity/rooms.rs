@@ -161,3 +161,52 @@ fn strings_around_a_blocker() {
         "the mistake, without shadow rays: {open}"
     );
 }
+
+#[test]
+fn a_flat_wall_in_the_middle_of_a_patch_does_not_leak() {
+    // A square room whose floor and ceiling would be one patch each, but for a wall at 0.6: lit on its left.
+    let wall = |from: [f64; 2], to: [f64; 2], emits: &str| {
+        format!(
+            "[[objects]]\nmaterial = 'grey'\n{emits}segment = {{ from = {from:?}, to = {to:?} }}\n"
+        )
+    };
+    let text = "name = 't'\nmaterials.grey.albedo = 0.5\n".to_owned()
+        + &wall([0., 0.], [1., 0.], "")
+        + &wall([1., 0.], [1., 1.], "")
+        + &wall([1., 1.], [0., 1.], "")
+        + &wall([0., 1.], [0., 0.], "emits = 1\n")
+        + &wall([0.6, 0.], [0.6, 1.], "");
+    let world = flatland::gallery::from_text(Source {
+        file: "t",
+        text: &text,
+    })
+    .expect("a world");
+    let solution = FlatSolution::new(&world, 2.0).expect("a solution");
+    // Two sides each of seven pieces: the floor and the ceiling are cut in two.
+    assert_eq!(solution.patches.len(), 14);
+    let [mut dark, mut lit] = [0, 0];
+    for (i, (patch, radiance)) in solution
+        .patches
+        .iter()
+        .zip(&solution.solved.radiance)
+        .enumerate()
+    {
+        let [a, b] = patch.ends;
+        let inwards = 0.5 * (a + b) + 0.1 * (b - a).perp().normalize();
+        let inside = |x: f64| (0.0..1.0).contains(&x);
+        let sum = solution.system.factors.row_sum(i);
+        if !inside(inwards.x) || !inside(inwards.y) {
+            assert!(sum == 0.0, "{patch:?}: outside");
+            continue;
+        }
+        assert!((sum - 1.0).abs() < 1e-6, "{patch:?}: {sum}");
+        if inwards.x > 0.6 {
+            dark += 1;
+            assert_eq!(*radiance, [0.0; 3], "{patch:?}");
+        } else {
+            lit += 1;
+            assert!(radiance[0] > 0.05, "{patch:?}");
+        }
+    }
+    assert_eq!([dark, lit], [4, 4]);
+}

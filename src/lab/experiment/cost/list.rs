@@ -1,7 +1,7 @@
 //! The price list: what was measured, as statements.
 
 use super::bias::{Bias, Floor};
-use super::method::BASE;
+use super::method::{BASE, Method};
 use super::runs::{Measured, Run, Runs};
 use super::size::{Size, Verdict};
 use super::target::{Reach, reach};
@@ -62,7 +62,7 @@ pub struct Priced {
     /// What each of [`TARGETS`] costs.
     pub times: Vec<Reach>,
     /// The time it needs for the same error, in times of that of each method in the list, by seconds;
-    /// `None` where either is biased.
+    /// `None` where either is biased, in the scene or by its nature.
     pub ratios: Vec<Option<Ratio>>,
     /// The same by rays.
     pub ray_ratios: Vec<Option<Ratio>>,
@@ -91,7 +91,10 @@ impl PriceList {
             .collect();
         for (i, a) in measured.methods.iter().enumerate() {
             for (j, b) in measured.methods.iter().enumerate() {
-                let biased = |k: usize| methods[k].verdict == Verdict::Biased;
+                let biased = |k: usize| {
+                    let by_nature = measured.methods[k].method.integrator.biased.is_some();
+                    by_nature || methods[k].verdict == Verdict::Biased
+                };
                 let fair = i != j && !biased(i) && !biased(j);
                 let by = |cost: fn(&Run) -> f64| {
                     let [a, b] = [a, b].map(|runs| runs.study.largest(square, cost));
@@ -145,7 +148,7 @@ fn priced(runs: &Runs, measured: &Measured) -> Priced {
     let largest = study.largest(square, seconds);
     let bias = runs.sums.bias(measured.truth(&runs.method));
     let sizes: Vec<Size> = (0..study.sizes.len()).map(|k| size(study, k)).collect();
-    let verdict = verdict(&against_rays, bias, runs.method.is_independent());
+    let verdict = verdict(&against_rays, bias, &runs.method);
     // The error of the largest pictures, and two of its own errors more.
     let most_off = sizes
         .last()
@@ -200,11 +203,16 @@ fn size(study: &Study<Run>, k: usize) -> Size {
 }
 
 /// What a line and a bias allow to say.
-fn verdict(fit: &Result<Fit, Insufficient>, bias: Option<Bias>, independent: bool) -> Verdict {
+///
+/// An integrator that is biased in any scene ([`Entry::biased`](crate::integrators::Entry::biased)) is never
+/// called sufficient, though its bias may still hide in its noise.
+fn verdict(fit: &Result<Fit, Insufficient>, bias: Option<Bias>, method: &Method) -> Verdict {
     if bias.is_some_and(|bias| bias.is_certain()) {
         return Verdict::Biased;
     }
+    let independent = method.is_independent();
     match fit {
+        _ if method.integrator.biased.is_some() => Verdict::Insufficient,
         Ok(fit) if fit.agrees_with(-0.5) && independent => Verdict::Sufficient,
         Ok(fit) if !independent && fit.line.slope - fit.half_width <= -0.5 => Verdict::Faster,
         _ => Verdict::Insufficient,
@@ -222,8 +230,33 @@ impl Priced {
             }
             (Verdict::Sufficient, Ok(fit)) => format!("{fit}, sufficient"),
             (Verdict::Faster, Ok(fit)) => format!("{fit}, as even points do"),
+            (_, Ok(fit)) if fit.agrees_with(-0.5) => {
+                let why = self.may_be_biased.unwrap_or("and no reason is known");
+                format!("insufficient: {fit}, but its bias may be hidden by noise: {why}")
+            }
             (_, Ok(fit)) => format!("insufficient: {fit} does not hold -1/2"),
             (_, Err(why)) => format!("insufficient: {why}"),
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::stats::slope::Line;
+
+    #[test]
+    fn a_biased_integrator_is_never_sufficient() {
+        let line = Line::through(&[(1.0, 1.0), (4.0, 0.5)]).unwrap();
+        let fit = Ok(Fit {
+            line,
+            std_error: 0.01,
+            half_width: 0.02,
+        });
+        let of = |name: &str| verdict(&fit, None, &Method::find(name).unwrap());
+        assert_eq!(of("path"), Verdict::Sufficient);
+        for biased in ["photons", "radiosity"] {
+            assert_eq!(of(biased), Verdict::Insufficient, "{biased}");
         }
     }
 }
