@@ -4,8 +4,9 @@ use crate::figures::short;
 use crate::share_of;
 use halfdisk::integrators::{Entry, Path, Settings, WALKS};
 use halfdisk::lab::chapter::{Desk, DeskError, Number};
-use halfdisk::lab::effects::language::{Class, Finds, finds};
+use halfdisk::lab::effects::language::{Class, Finds, finds, paths};
 use halfdisk::lab::effects::words::{Words, words};
+use halfdisk::notation::Expression;
 use halfdisk::render::{Options, render};
 use halfdisk::scene::description::{Description, Light, Object, Shape};
 use halfdisk::scene::value::{Emission, Positive, Triple};
@@ -28,16 +29,23 @@ pub fn work(desk: &mut Desk) -> Result<(u64, Largest), DeskError> {
     let (by_point, of_point) = room(desk, "point", point)?;
     // What the point's light would be if it were a small ball: then paths find all of it.
     let scene = load(desk, |said| ball(said, 20.0))?;
-    let (mut lost, mut rays) = (Estimate::new(), by_lamp + by_point);
+    let found = paths_in(Path::ENTRY, "point");
+    let (mut caustics, mut lost) = (Estimate::new(), Estimate::new());
+    let mut rays = by_lamp + by_point;
     for seed in 0..desk.choose(24, 8) {
         let words = spell(desk, &scene, seed);
         rays += words.rays;
-        let [found, caustics] = [BY_POINT.as_slice(), &[Class::Caustic]]
-            .map(|classes| classes.iter().map(|c| share_of(*c, &words)[0]).sum::<f64>());
-        lost.add(100.0 * caustics / found);
+        let light = |class: &Class| share_of(*class, &words)[0];
+        let by_eye: f64 = BY_POINT.iter().map(light).sum();
+        let all = by_eye + light(&Class::Caustic);
+        caustics.add(100.0 * light(&Class::Caustic) / by_eye);
+        let has = light_in(&words, found.as_ref()) / words.total.mean();
+        lost.add(100.0 * (all - has) / all);
     }
-    let says = "caustics of a small ball, percent of what a point's paths find";
-    desk.estimate("ball_caustic", says, &lost, None);
+    let says = "caustics of a small ball, percent of what walks from the eye find of a point";
+    desk.estimate("ball_caustic", says, &caustics, None);
+    let says = "of a small ball's light that a point has, too, percent that path would not find of a point";
+    desk.estimate("ball_lost", says, &lost, None);
     Ok((rays, compared.with(of_point)))
 }
 
@@ -87,12 +95,10 @@ fn room(
         for class in Class::ALL {
             answer(desk, lamp, integrator, class, found(&class));
         }
-        let classes = Class::ALL.into_iter();
-        let classes: Vec<Class> = classes.filter(|c| found(c) == Finds::All).collect();
+        let paths = paths_in(integrator, lamp);
         let (mut said, mut read, mut apart) = (Estimate::new(), Estimate::new(), Estimate::new());
         for (seed, words) in (0..).zip(&spelt) {
-            let shares = classes.iter().map(|class| share_of(*class, words)[0]);
-            let light = shares.sum::<f64>() * words.total.mean();
+            let light = light_in(words, paths.as_ref());
             let (mean, traced) = picture(desk, &scene, integrator, seed)?;
             said.add(light);
             read.add(mean);
@@ -115,7 +121,24 @@ fn room(
     Ok((rays, compared))
 }
 
-/// 1 where the integrator finds the class, 0 where it does not, nothing where there is no such light.
+/// The paths that an integrator finds in the room with a lamp, or with a point in its place; `None` for none.
+fn paths_in(integrator: Entry, lamp: &str) -> Option<Expression> {
+    let finds = integrator.finds()?;
+    match lamp {
+        "point" => paths(&finds.points),
+        _ => paths(&finds.lamps),
+    }
+}
+
+/// The light of a picture that comes by some paths.
+fn light_in(words: &Words, paths: Option<&Expression>) -> f64 {
+    let Some(paths) = paths else { return 0.0 };
+    let own = words.shares.iter();
+    let own = own.filter(|(word, _)| paths.light_first().accepts(&word.0));
+    own.map(|(_, share)| share.light.mean()).sum()
+}
+
+/// 1 where the integrator finds the class, one half where it finds some of its words, 0 where it does not, nothing where there is no such light.
 fn answer(desk: &mut Desk, lamp: &str, integrator: Entry, class: Class, found: Finds) {
     let value = match found {
         Finds::All => 1.0,

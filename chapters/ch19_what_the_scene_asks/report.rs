@@ -2,10 +2,11 @@
 
 use crate::FINAL;
 use halfdisk::integrators::{FilteredPath, Kajiya, Path};
-use halfdisk::lab::chapter::{Desk, DeskError};
+use halfdisk::lab::chapter::{Desk, DeskError, Number};
 use halfdisk::lab::effects::language::{Class, of_scene, out_of_reach};
 use halfdisk::lab::effects::plan;
 use halfdisk::lab::effects::words::words;
+use halfdisk::notation::Expression;
 use halfdisk::render::{Options, render};
 use halfdisk::scene::description::{Description, Light, Object, Shape};
 use halfdisk::scene::read::Source;
@@ -37,8 +38,8 @@ pub fn of_final(desk: &mut Desk) -> Result<(), DeskError> {
     Ok(())
 }
 
-/// A point shines through glass: light that is there, and that every integrator reads as 0. The rays
-/// it took.
+/// A point shines through glass: a caustic that `path` traces from the light, and its image in the glass, which it reads
+/// as 0. The rays it took.
 pub fn point_through_glass(desk: &mut Desk) -> Result<u64, DeskError> {
     let scene = load(|_| {})?;
     let lost = out_of_reach(&scene.inventory)
@@ -52,6 +53,22 @@ pub fn point_through_glass(desk: &mut Desk) -> Result<u64, DeskError> {
     let paths = lost.eye_first();
     let read = render(&scene, &FilteredPath { path, paths }, &options, &());
     let mut rays = read.rays.total();
+    let caustics = Class::Caustic.expression();
+    let paths = caustics.eye_first();
+    let traced = render(&scene, &FilteredPath { path, paths }, &options, &());
+    rays += traced.rays.total();
+    let whole = render(&scene, &path, &options, &());
+    rays += whole.rays.total();
+    let percent = |x: f64| 100.0 * x / whole.film.mean().0;
+    let (light, error) = traced.film.mean();
+    let number = Number {
+        error: Some(percent(error)),
+        ..Number::new(
+            "point through glass: caustics, percent of the light",
+            percent(light),
+        )
+    };
+    desk.number("point_caustics", number);
     let says = format!("point through glass: the brightest pixel of {lost}");
     desk.known("point_lost", &says, read.film.max(), 0.0);
     let found = of_scene(&scene.inventory);
@@ -70,17 +87,22 @@ pub fn point_through_glass(desk: &mut Desk) -> Result<u64, DeskError> {
     // The same light from a small ball is found.
     let radius = 0.2;
     let scene = load(|said| ball(said, radius))?;
-    let mut share = Estimate::new();
+    let (mut share, mut unseen) = (Estimate::new(), Estimate::new());
     for seed in 0..desk.choose(16, 8) {
         let options = Options { seed, ..options };
         let words = words(&scene, &path, &options, 1);
         rays += words.rays;
-        let caustics = Class::Caustic.expression();
-        let own = words.shares.iter();
-        let own = own.filter(|(word, _)| caustics.light_first().accepts(&word.0));
-        let light: f64 = own.map(|(_, share)| share.light.mean()).sum();
-        share.add(100.0 * light / words.total.mean());
+        let light = |paths: &Expression| {
+            let own = words.shares.iter();
+            let own = own.filter(|(word, _)| paths.light_first().accepts(&word.0));
+            let light: f64 = own.map(|(_, share)| share.light.mean()).sum();
+            100.0 * light / words.total.mean()
+        };
+        share.add(light(&caustics));
+        unseen.add(light(&lost));
     }
+    let says = format!("a ball in its place: {lost}, percent of the light");
+    desk.estimate("ball_lost", &says, &unseen, None);
     let says = "a ball in its place: caustics, percent of the light";
     desk.estimate("ball_caustics", says, &share, None);
     Ok(rays)

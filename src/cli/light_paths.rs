@@ -3,6 +3,7 @@
 use super::Stop;
 use crate::integrators::{Entry, Path};
 use crate::lab::chapter::whole;
+use crate::scene::Scene;
 use clap::Args;
 
 /// How many paths start at the lights.
@@ -21,6 +22,16 @@ impl LightPaths {
     /// The number that was asked for.
     pub fn asked(&self) -> Option<u32> {
         self.light_paths
+    }
+
+    /// How many there are in a picture; `None` where none start at the lights.
+    pub fn used(&self, integrator: Entry, scene: &Scene, max_depth: u32) -> Option<u32> {
+        let path = Path {
+            light_paths: self.light_paths,
+            ..Path::new(max_depth)
+        };
+        let used = path.light_paths_of(scene);
+        (integrator == Path::ENTRY && used > 0).then_some(used)
     }
 
     /// Refuses what makes no sense together.

@@ -213,6 +213,7 @@ impl Render {
         let (spp, seed) = (u64::from(outcome.spp), outcome.seed);
         let facts = Provenance {
             sampler: self.sampler(),
+            light_paths: self.light_paths.used(self.integrator, &scene, max_depth),
             ..Provenance::new(&scene, self.integrator.name, max_depth, spp, seed)
         };
         // All files first: what follows is for people, or may fail.

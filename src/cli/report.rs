@@ -205,6 +205,13 @@ impl Display for Report<'_> {
             f,
             "rays: {camera} camera, {secondary} secondary, {shadow} shadow; {speed:.2} million per second"
         )?;
+        if let Some(paths) = self.facts.light_paths {
+            let each = count(paths as usize, "path", "paths");
+            writeln!(
+                f,
+                "caustics: {each} from the lights in each sample of all pixels"
+            )?;
+        }
         let Measurement { value, error } = mean(self.made);
         write!(f, "mean of the picture: {value:.6}")?;
         let reached = &self.accuracy.outcome.reached;

@@ -28,6 +28,9 @@ pub struct Caustics {
 }
 
 impl Caustics {
+    /// The paths that may be among those it traces.
+    pub const PATHS: &str = "LS(D|S|G)*(D|G)E";
+
     /// The light that `paths` paths bring in a pass; `arrival` says what becomes of that of a path, for its
     /// letters from the light on, without the eye's.
     pub fn prepare(

@@ -1,10 +1,10 @@
 //! What becomes of the light that a path finds: all of it counts, or that of some paths only.
 
-use super::{Arrival, Integrator, Pass, Passes, Path, Prepared};
+use super::{Arrival, Caustics, Integrator, Pass, Passes, Path, Prepared};
 use crate::color::Rgb;
 use crate::geometry::Ray;
 use crate::materials::Event;
-use crate::notation::{Language, Letter, State};
+use crate::notation::{Expression, Language, Letter, State};
 use crate::sampling::stream::Stream;
 use crate::scene::{Scene, Tracer};
 
@@ -99,7 +99,7 @@ impl PathObserver for PathFilter<'_> {
 // ANCHOR_END: among
 
 // ANCHOR: from_eye
-/// The light of a path from the eye but for what [`Caustics`](super::Caustics) traces from the lights.
+/// The light of a path from the eye but for what [`Caustics`] traces from the lights.
 #[derive(Debug)]
 pub struct FromEye<'f, F> {
     follow: &'f mut F,
@@ -156,6 +156,15 @@ pub struct FilteredPath<'a> {
     pub paths: &'a Language,
 }
 
+impl FilteredPath<'_> {
+    /// True where some of its paths are traced from the lights.
+    fn traces_caustics(&self, scene: &Scene) -> bool {
+        let traced = Expression::parse(Caustics::PATHS);
+        self.path.traces_caustics(scene)
+            && traced.is_ok_and(|traced| !self.paths.intersection(traced.eye_first()).is_empty())
+    }
+}
+
 impl Integrator for FilteredPath<'_> {
     fn li(&self, tracer: &mut Tracer, ray: &Ray, stream: &Stream) -> Rgb {
         let mut only = PathFilter::new(self.paths);
@@ -164,7 +173,7 @@ impl Integrator for FilteredPath<'_> {
     }
 
     fn passes(&self, scene: &Scene) -> Option<&dyn Passes> {
-        self.path.traces_caustics(scene).then_some(self)
+        self.traces_caustics(scene).then_some(self)
     }
 }
 

@@ -94,6 +94,16 @@ impl Path {
         }
     }
 
+    /// Paths from the lights in each sample of all pixels of a scene; 0 where caustics are not traced from there.
+    pub fn light_paths_of(&self, scene: &Scene) -> u32 {
+        let pixels = scene.size[0].saturating_mul(scene.size[1]);
+        let usual = pixels.div_ceil(Path::PIXELS_PER_LIGHT_PATH);
+        match self.traces_caustics(scene) {
+            true => self.light_paths.unwrap_or(usual),
+            false => 0,
+        }
+    }
+
     /// True where caustics of the scene are traced from the lights: it has lights, what focuses their light, and what shows
     /// it.
     pub fn traces_caustics(&self, scene: &Scene) -> bool {
@@ -107,8 +117,7 @@ impl Path {
         arrival: impl Fn(&[Letter]) -> Arrival + Sync,
     ) -> Option<Prepared<'static>> {
         let max_depth = self.max_depth;
-        let usual = pass.pixels().div_ceil(Path::PIXELS_PER_LIGHT_PATH);
-        let paths = self.light_paths.unwrap_or(usual);
+        let paths = self.light_paths_of(pass.scene);
         Caustics { max_depth }.prepare(pass, paths, arrival)
     }
 }

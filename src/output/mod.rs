@@ -46,6 +46,9 @@ pub struct Provenance {
     pub seed: u64,
     /// How the samples of a pixel lie to each other.
     pub sampler: Sampler,
+    /// Paths from the lights in each sample of all pixels; `None` where caustics are not traced from there.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub light_paths: Option<u32>,
 }
 
 impl Provenance {
@@ -59,6 +62,7 @@ impl Provenance {
             spp,
             seed,
             sampler: Sampler::Independent,
+            light_paths: None,
         }
     }
 }
