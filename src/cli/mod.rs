@@ -4,6 +4,7 @@
 //! input, 130 interrupted by Ctrl-C, 143 asked to terminate. A report that nobody can read ends nothing.
 
 mod answer;
+mod choices;
 mod classify;
 mod completions;
 mod converge;
@@ -15,6 +16,7 @@ mod left_out;
 mod maps;
 mod page;
 mod patching;
+mod photons;
 mod render;
 mod report;
 mod scenes;

@@ -36,6 +36,8 @@ pub(super) type MakePrepared = fn(&Scene, &Settings) -> Result<Box<dyn Integrato
 pub(super) enum Make {
     /// From the longest path that it follows, in segments.
     Plain(fn(max_depth: u32) -> Box<dyn Integrator>),
+    /// From the longest path and how many photons there are.
+    Photons(fn(&Settings) -> Box<dyn Integrator>),
     /// From the scene.
     Prepared(MakePrepared),
 }
@@ -128,6 +130,15 @@ impl Entry {
         Entry::new(names, finds, Make::Prepared(make))
     }
 
+    /// An integrator of light that photons bring.
+    pub(super) const fn of_photons(
+        names: [&'static str; 3],
+        finds: Finds,
+        make: fn(&Settings) -> Box<dyn Integrator>,
+    ) -> Entry {
+        Entry::new(names, finds, Make::Photons(make))
+    }
+
     const fn new([name, about, help]: [&'static str; 3], finds: Finds, make: Make) -> Entry {
         Entry {
             name,
@@ -164,16 +175,20 @@ impl Entry {
         settings: &Settings,
     ) -> Result<Box<dyn Integrator>, Refused> {
         let max_depth = settings.max_depth.min(self.longest);
+        let settings = Settings {
+            max_depth,
+            ..*settings
+        };
         match self.make {
             Make::Plain(make) => Ok(make(max_depth)),
-            Make::Prepared(make) => make(
-                scene,
-                &Settings {
-                    max_depth,
-                    ..*settings
-                },
-            ),
+            Make::Photons(make) => Ok(make(&settings)),
+            Make::Prepared(make) => make(scene, &settings),
         }
+    }
+
+    /// True where photons bring its light: how many, and on how large discs, can be asked for.
+    pub const fn has_photons(&self) -> bool {
+        matches!(self.make, Make::Photons(_))
     }
 
     /// True where it looks at the scene before it answers: making it takes time, and it may refuse.

@@ -9,6 +9,10 @@ pub struct Settings<'a> {
     pub max_depth: u32,
     /// How small patches are, for integrators that have any.
     pub patches: PatchSize,
+    /// Walks from the lights in each pass, for integrators with photons; `None` for the usual number.
+    pub walks: Option<u32>,
+    /// The radius of their first discs in scene units, positive; `None` for the usual one.
+    pub radius: Option<f32>,
     /// Who watches, where making it takes a while.
     pub watch: &'a dyn Watch,
 }
@@ -19,6 +23,8 @@ impl Settings<'_> {
         Settings {
             max_depth,
             patches: PatchSize::default(),
+            walks: None,
+            radius: None,
             watch: &(),
         }
     }

@@ -46,6 +46,18 @@ pub struct Provenance {
     pub seed: u64,
     /// How the samples of a pixel lie to each other.
     pub sampler: Sampler,
+    /// The photons of a picture that has some.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub photons: Option<PhotonFacts>,
+}
+
+/// The photons of a picture.
+#[derive(Clone, Copy, Debug, PartialEq, serde::Serialize)]
+pub struct PhotonFacts {
+    /// Walks from the lights in each pass.
+    pub walks: u32,
+    /// Radius of the discs of the first pass, in scene units.
+    pub first_radius: f32,
 }
 
 impl Provenance {
@@ -59,6 +71,7 @@ impl Provenance {
             spp,
             seed,
             sampler: Sampler::Independent,
+            photons: None,
         }
     }
 }
