@@ -4,23 +4,23 @@
 #[path = "../chapters/ch01_from_the_eye/two_ways.rs"]
 pub mod two_ways;
 
-#[path = "../chapters/ch08_six_integrals/profiles.rs"]
+#[path = "../chapters/ch13_six_integrals/profiles.rs"]
 pub mod profiles;
 
-#[path = "../chapters/ch09_one_ray/split.rs"]
+#[path = "../chapters/ch07_one_ray/split.rs"]
 pub mod split;
 
-#[path = "../chapters/ch10_which_ray/mixed_furnace.rs"]
+#[path = "../chapters/ch08_which_ray/mixed_furnace.rs"]
 pub mod mixed_furnace;
 
-#[path = "../chapters/ch11_roulette/survival.rs"]
+#[path = "../chapters/ch10_roulette/survival.rs"]
 pub mod survival;
 
-#[path = "../chapters/ch12_aim_at_the_light/pick_one.rs"]
+#[path = "../chapters/ch09_aim_at_the_light/pick_one.rs"]
 pub mod pick_one;
 
-#[path = "../chapters/ch12_aim_at_the_light/shrinking_lamp.rs"]
+#[path = "../chapters/ch09_aim_at_the_light/shrinking_lamp.rs"]
 pub mod shrinking_lamp;
 
-#[path = "../chapters/ch14_cost/noise.rs"]
+#[path = "../chapters/ch18_cost/noise.rs"]
 pub mod noise;

@@ -2,7 +2,7 @@
 //!
 //! Question: must every pixel of every view ask for the light again, where the light of a diffuse room
 //! depends on no view? New here: `radiosity`, form factors, a linear system and its solvers. Simulates
-//! `LD*(S|G)*E`. Builds on: chapter 7 (the gather integral) and 14 (what accuracy costs).
+//! `LD*(S|G)*E`. Builds on: chapter 6 (the gather integral) and 18 (what accuracy costs).
 
 mod fight;
 mod forms;

@@ -3,8 +3,8 @@
 use super::{check, near, number};
 
 #[test]
-fn ch14_cost() {
-    let data = check(env!("CARGO_BIN_EXE_ch14-cost"), "ch14");
+fn ch18_cost() {
+    let data = check(env!("CARGO_BIN_EXE_ch18-cost"), "ch18");
     for name in [
         "early", "late", "ratio", "forty", "reached", "held_out", "paused",
     ] {

@@ -3,8 +3,8 @@
 use super::{check, near, number};
 
 #[test]
-fn ch09_one_ray() {
-    let data = check(env!("CARGO_BIN_EXE_ch09-one-ray"), "ch09");
+fn ch07_one_ray() {
+    let data = check(env!("CARGO_BIN_EXE_ch07-one-ray"), "ch07");
     for name in ["room", "noise", "edge_pixel"] {
         near(&data, name);
     }
@@ -29,8 +29,8 @@ fn ch09_one_ray() {
 }
 
 #[test]
-fn ch12_aim_at_the_light() {
-    let data = check(env!("CARGO_BIN_EXE_ch12-aim-at-the-light"), "ch12");
+fn ch09_aim_at_the_light() {
+    let data = check(env!("CARGO_BIN_EXE_ch09-aim-at-the-light"), "ch09");
     for way in ["uniform", "cosine", "aim"] {
         for angle in ["14", "1", "03", "01", "003", "001", "0003"] {
             near(&data, &format!("{way}_{angle}"));
@@ -67,8 +67,8 @@ fn ch12_aim_at_the_light() {
 }
 
 #[test]
-fn ch13_combine() {
-    let data = check(env!("CARGO_BIN_EXE_ch13-combine"), "ch13");
+fn ch11_combine() {
+    let data = check(env!("CARGO_BIN_EXE_ch11-combine"), "ch11");
     let value = |name: &str| number(&data, name, "value");
     for size in [1, 2, 5, 10, 20, 30, 50, 70, 90, 110, 130, 150] {
         let [chance, aiming, balance, power] =
@@ -109,8 +109,8 @@ fn ch13_combine() {
 }
 
 #[test]
-fn ch11_roulette() {
-    let data = check(env!("CARGO_BIN_EXE_ch11-roulette"), "ch11");
+fn ch10_roulette() {
+    let data = check(env!("CARGO_BIN_EXE_ch10-roulette"), "ch10");
     let value = |name: &str| number(&data, name, "value");
     for cut in ["50_2", "50_5", "80_5", "80_20", "90_8", "90_43"] {
         let name = format!("lost_{cut}");
@@ -149,8 +149,8 @@ fn ch11_roulette() {
 }
 
 #[test]
-fn ch08_six_integrals() {
-    let data = check(env!("CARGO_BIN_EXE_ch08-six-integrals"), "ch08");
+fn ch13_six_integrals() {
+    let data = check(env!("CARGO_BIN_EXE_ch13-six-integrals"), "ch13");
     for name in ["pixel", "light", "lens", "time", "gloss", "hemisphere"] {
         let z = number(&data, &format!("z_{name}"), "value");
         assert!(z <= 4.0, "{name}: {z}");
@@ -174,8 +174,8 @@ fn ch08_six_integrals() {
 }
 
 #[test]
-fn ch10_which_ray() {
-    let data = check(env!("CARGO_BIN_EXE_ch10-which-ray"), "ch10");
+fn ch08_which_ray() {
+    let data = check(env!("CARGO_BIN_EXE_ch08-which-ray"), "ch08");
     for name in [
         "diffuse",
         "specular",

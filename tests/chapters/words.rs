@@ -8,8 +8,8 @@ use halfdisk::render::{Options, Picture, compare, render};
 use halfdisk::scene::{Scene, gallery};
 
 #[test]
-fn ch03_alphabet() {
-    let data = check(env!("CARGO_BIN_EXE_ch03-alphabet"), "ch03");
+fn ch14_alphabet() {
+    let data = check(env!("CARGO_BIN_EXE_ch14-alphabet"), "ch14");
     let value = |name: &str| number(&data, name, "value");
     assert_eq!(value("by_hand"), 30.0);
     assert!(value("sum_is_off_by") <= 1e-6);
@@ -62,8 +62,8 @@ fn ch03_alphabet() {
 }
 
 #[test]
-fn ch18_what_the_scene_asks() {
-    let data = check(env!("CARGO_BIN_EXE_ch18-what-the-scene-asks"), "ch18");
+fn ch19_what_the_scene_asks() {
+    let data = check(env!("CARGO_BIN_EXE_ch19-what-the-scene-asks"), "ch19");
     let value = |name: &str| number(&data, name, "value");
     let asked = ["area_lights", "diffuse", "specular", "bleeding", "caustics"];
     for effect in asked {
@@ -110,8 +110,8 @@ fn answer(arguments: &[&str]) -> String {
 
 #[test]
 fn the_page_shows_what_the_command_answers() {
-    let page = include_str!("../../book/src/ch18-what-the-scene-asks.md");
-    let point = "chapters/ch18_what_the_scene_asks/point.toml";
+    let page = include_str!("../../book/src/ch19-what-the-scene-asks.md");
+    let point = "chapters/ch19_what_the_scene_asks/point.toml";
     for scene in ["final", point] {
         let report = answer(&["effects", scene]);
         assert!(page.contains(&report), "{scene} is now\n{report}");
