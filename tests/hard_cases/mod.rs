@@ -71,7 +71,7 @@
 //! | A49 photons: any size, far away | `photons::input::a49_scenes_*` | a radius that is not scaled along |
 //! | A49 photons: radii, edges, counts | `photons::input::a49_radii_*`, `photons::map::*`, `photons::density::*` | 0 / 0; half at an edge; `k / (k - 1)` |
 //! | A49 photons: no lamp, only a sky | `photons::input::a49_no_lamp_*` | |
-//! | A49 photons: lamp or camera in glass | `photons::pictures::a_point_in_glass_*`, `photons::input::a49_a_camera_*` | exactly black by paths |
+//! | A49 photons: lamp or camera in glass | `photons::pictures::s0_01_*`, `photons::input::a49_a_camera_*` | exactly black by paths |
 //! | A50 patches of any size | `patches::a50_rooms_of_*` | a fixed offset: half the pairs are hidden and more |
 //! | A50 patches far away, slivers | `patches::a50_*_far_*`, `patches::a50_slivers_*` | |
 //! | A50 patches that touch | `patches::a50_patches_*`, `radiosity::forms::*` | centre to centre: off by its own size |

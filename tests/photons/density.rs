@@ -21,6 +21,11 @@ fn of(reads: &Estimate) -> (f64, f64) {
     (reads.mean(), reads.std_error())
 }
 
+/// A point of the plate as the scene has it, whose origin is the camera.
+fn from_the_camera(x: f32, z: f32) -> Vec3 {
+    Vec3::new(x - 5.0, -9.0, z - 5.0)
+}
+
 /// Photons of a pass over the plate, and how many walks brought them.
 fn plate(walks: u32, seed: u64) -> Vec<Photon> {
     let scene = scene(PLATE);
@@ -52,14 +57,14 @@ fn a_plate_reads_half_at_an_edge_and_a_quarter_in_a_corner() {
             ("edge", [0.0, 5.0], 0.5),
             ("corner", [10.0, 0.0], 0.25),
         ] {
-            let at = Vec3::new(x, 0.0, z);
+            let at = from_the_camera(x, z);
             let read = |map: &PhotonMap| map.estimate(at, Vec3::Y, radius, |p| p.power).g;
             let reads: Estimate = maps.iter().map(|map| f64::from(read(map))).collect();
-            alike(what, of(&reads), (share, 0.0), 0.02);
+            alike(what, of(&reads), (share, 0.0), 0.06);
             // The cure, which is exact for the constant kernel, and by symmetry here for any.
             let part = share_on_rectangle([x, z].map(f64::from), [10.0; 2], f64::from(radius));
             let cured: Estimate = maps.iter().map(|map| f64::from(read(map)) / part).collect();
-            alike("cured", of(&cured), (1.0, 0.0), 0.02);
+            alike("cured", of(&cured), (1.0, 0.0), 0.06);
             if part < 0.9 {
                 reject("not cured", &reads, 1.0);
             }
@@ -144,7 +149,7 @@ fn the_nearest_read_what_they_should_and_one_too_many_reads_more() {
 #[test]
 fn the_nearest_of_a_map() {
     const WALKS: u32 = 1 << 14;
-    let at = Vec3::new(5.0, 0.0, 5.0);
+    let at = from_the_camera(5.0, 5.0);
     let read = |seed, count| {
         let map = PhotonMap::new(plate(WALKS, seed), WALKS, 2.0, Kernel::Constant);
         map.irradiance_by_nearest(at, Vec3::Y, 10, count).unwrap()

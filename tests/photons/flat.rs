@@ -2,6 +2,7 @@
 
 use crate::checks::{CRITICAL, alike};
 use glam::{DVec2, Vec2};
+use halfdisk::color::Rgb;
 use halfdisk::flatland::{FlatWorld, exact, gallery};
 use halfdisk::integrators::Photons;
 use halfdisk::integrators::world::FlatTracer;
@@ -80,14 +81,19 @@ fn every_kind_of_light_lights_a_floor_as_it_should() {
             ""
         };
         let world = world(&format!("{background}{floor}{light}"));
-        let (walks, radius) = (1 << 15, 0.04);
+        let (walks, radius) = (1 << 15, 0.1);
         let read = |seed| {
             let found = photons(&world, &Photons::in_space::<Flat>(2), walks, seed);
             let map = PhotonMap::new(found, walks, radius, Kernel::Constant);
-            f64::from(map.estimate(Vec2::ZERO, Vec2::Y, radius, |p| p.power).g)
+            // A sky lights a floor from below as well.
+            let above = |photon: &Photon<Flat>| match photon.wi.y > 0.0 {
+                true => photon.power,
+                false => Rgb::BLACK,
+            };
+            f64::from(map.estimate(Vec2::ZERO, Vec2::Y, radius, above).g)
         };
         let reads: Estimate = (0..32).map(read).collect();
-        alike(what, (reads.mean(), reads.std_error()), (truth, 0.0), 0.03);
+        alike(what, (reads.mean(), reads.std_error()), (truth, 0.0), 0.07);
     }
 }
 

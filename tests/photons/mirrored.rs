@@ -2,8 +2,11 @@
 
 use super::{fixed, mean, rendered, scene};
 use crate::checks::{alike, unlike};
-use halfdisk::integrators::Photons;
+use halfdisk::integrators::{PhotonBlur, Photons};
+use halfdisk::render::{Options, render};
+use halfdisk::sampling::stream::Purpose;
 use halfdisk::scene::Scene;
+use halfdisk::stats::Estimate;
 
 /// A floor under a mirror, and between them a lamp at height 1: the mirror shows another one at height 3.
 pub const MIRRORED: &str = "camera = { from = [0, 1.9, 0], to = [0, 0, 0], up = [0, 0, 1], fov = 55.5 }\n\
@@ -52,7 +55,7 @@ pub fn exact(scene: &Scene, side: u32, radius: f64) -> Vec<f64> {
 }
 
 #[test]
-fn a_lamp_in_a_mirror_lights_the_floor_as_its_image_would() {
+fn s0_05_a_lamp_in_a_mirror_lights_the_floor_as_its_image_would() {
     let scene = scene(MIRRORED);
     let average = |pixels: Vec<f64>| pixels.iter().sum::<f64>() / pixels.len() as f64;
     let sharp = (average(exact(&scene, 8, 0.0)), 0.0);
@@ -80,4 +83,45 @@ fn a_lamp_in_a_mirror_lights_the_floor_as_its_image_would() {
         (average(exact(&scene, 8, 1e6)), 0.0),
         0.02,
     );
+}
+
+#[test]
+fn the_blur_is_told_by_half_of_each_disc() {
+    let scene = scene(MIRRORED);
+    let radius = 1.0;
+    let photons = fixed(ONCE, radius, 1 << 14);
+    let blur = PhotonBlur::new(&photons, &scene, 4);
+    let means: Estimate = (0..24_u64)
+        .map(|seed| rendered_signed(&scene, &blur, 8, seed))
+        .collect();
+    let average = |radius: f64| exact(&scene, 8, radius).iter().sum::<f64>() / 64.0;
+    let (whole, half) = (f64::from(radius), f64::from(radius) / 2.0_f64.sqrt());
+    let said = 2.0 * (average(whole) - average(half));
+    let bias = average(whole) - average(0.0);
+    let ours = (means.mean(), means.std_error());
+    println!("said {said:.6}, in truth {bias:.6}");
+    alike("blur", ours, (said, 0.0), 0.2);
+    assert!((said / bias - 1.0).abs() < 0.1, "{said} {bias}");
+    // The difference without its factor is half of it.
+    unlike("half", (0.5 * ours.0, 0.5 * ours.1), (said, 0.0));
+    // Discs that shrink have the blur of their mean square.
+    let shrinking = Photons {
+        alpha: 0.5,
+        ..photons
+    };
+    let less: Estimate = (0..24_u64)
+        .map(|seed| rendered_signed(&scene, &PhotonBlur::new(&shrinking, &scene, 64), 8, seed))
+        .collect();
+    assert!(less.mean().abs() < 0.5 * bias.abs(), "{}", less.mean());
+}
+
+/// The mean of a picture whose samples may be negative.
+fn rendered_signed(scene: &Scene, integrator: &PhotonBlur, spp: u32, seed: u64) -> f64 {
+    let options = Options {
+        spp,
+        seed,
+        fixed: &[Purpose::Pixel],
+        ..Options::default()
+    };
+    render(scene, integrator, &options, &()).film.mean().0
 }

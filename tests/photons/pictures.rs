@@ -22,7 +22,7 @@ fn in_a_mirror(around_the_lamp: &str) -> Scene {
 }
 
 #[test]
-fn a_point_in_glass_seen_in_a_mirror() {
+fn s0_01_a_point_in_glass_seen_in_a_mirror() {
     // Its rays leave the middle of a ball as they came, and all of them leave it in the end.
     let ball =
         "[[objects]]\nmaterial = 'clear'\nsphere = { center = [2, 0.7, 0.4], radius = 0.05 }\n";

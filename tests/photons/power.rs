@@ -7,7 +7,7 @@ use halfdisk::sampling::stream::Sampler;
 use halfdisk::scene::gallery;
 
 #[test]
-fn power_is_neither_made_nor_lost() {
+fn s0_27_power_is_neither_made_nor_lost() {
     let furnace = gallery::load("furnace").unwrap();
     let photons = Photons::new(6);
     let pass = Pass {

@@ -29,7 +29,7 @@ fn the_error_falls_as_it_should() {
             let squares = pixels.zip(&truth).map(|(x, truth)| (x - truth).powi(2));
             squares.sum::<f64>()
         };
-        let replicates: Vec<u64> = (0..160).collect();
+        let replicates: Vec<u64> = (0..100).collect();
         let squares = replicates.into_par_iter();
         let squares = squares.map(|r| sizes.iter().map(|size| squared(r, size)).collect());
         let squares: Vec<Vec<f64>> = squares.collect();
@@ -40,7 +40,7 @@ fn the_error_falls_as_it_should() {
     println!("shrinking {shrinking}, staying {staying}");
     let off = shrinking.line.slope + 1.0 / 3.0;
     assert!(off.abs() < 0.05, "{shrinking}");
-    assert!(shrinking.half_width < 0.03, "{shrinking}");
+    assert!(shrinking.half_width < 0.04, "{shrinking}");
     assert!(staying.line.slope > -0.25, "{staying}");
 }
 
@@ -93,7 +93,7 @@ fn progressive<S: Space>(alpha: f64, passes: u32, replicate: u32) -> Vec<f64> {
 }
 
 #[test]
-fn noise_and_blur_fall_together_in_both_worlds() {
+fn s0_08_noise_and_blur_fall_together_in_both_worlds() {
     fn check<S: Space>(slope: f64) {
         const PASSES: u32 = 1 << 11;
         let sizes: Vec<u32> = (5..=11).map(|k| 1 << k).collect();
