@@ -126,3 +126,26 @@ fn the_room_looked_at() {
     };
     assert!(only(|photon| photon.segments == 1) == walks as usize);
 }
+
+#[test]
+fn a_wall_shows_nothing_of_photons_on_its_other_side() {
+    let below = world(
+        "[[objects]]\nalbedo = 0.5\nsegment = { from = [-4, 0], to = [4, 0] }\n\
+         [[lamps]]\npoint = { position = [0, -1], power = 2 }\n",
+    );
+    let (walks, radius) = (4000, 0.3);
+    let found = photons(&below, &Photons::in_space::<Flat>(2), walks, 1);
+    let map = PhotonMap::new(found, walks, radius, Kernel::Constant);
+    let tracer = FlatTracer::new(&below);
+    let seen = |from: f32| {
+        let hit = below
+            .first_hit(Vec2::new(0.0, from), Vec2::new(0.0, -from))
+            .unwrap();
+        let hit = hit.seen_from(Vec2::new(0.0, from));
+        f64::from(Photons::radiance(&map, &tracer, &hit, radius, 9).g)
+    };
+    assert_eq!(seen(1.0), 0.0, "from above it is dark");
+    // Half of the irradiance times the albedo.
+    let truth = 0.25 * exact::lamp(2.0, DVec2::new(0.0, 1.0));
+    assert!((seen(-1.0) / truth - 1.0).abs() < 0.2, "{}", seen(-1.0));
+}
