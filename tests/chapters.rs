@@ -7,6 +7,7 @@
 mod charts;
 mod judge;
 mod patches;
+mod photons;
 mod pictures;
 mod prices;
 mod walks;
@@ -20,7 +21,7 @@ use std::process::Command;
 
 /// Chapters with pictures, and the samples of each of their pixels: so many that a bias of 1 % is noticed,
 /// where that takes seconds.
-const PROGRAMS: [(&str, &str, &str); 12] = [
+const PROGRAMS: [(&str, &str, &str); 13] = [
     (env!("CARGO_BIN_EXE_ch01-from-the-eye"), "ch01", "800"),
     (env!("CARGO_BIN_EXE_ch02-whitteds-tree"), "ch02", "16"),
     (env!("CARGO_BIN_EXE_ch06-gather"), "ch06", "16"),
@@ -32,6 +33,7 @@ const PROGRAMS: [(&str, &str, &str); 12] = [
     (env!("CARGO_BIN_EXE_ch13-six-integrals"), "ch13", "16"),
     (env!("CARGO_BIN_EXE_ch14-alphabet"), "ch14", "256"),
     (env!("CARGO_BIN_EXE_ch15-patches"), "ch15", "256"),
+    (env!("CARGO_BIN_EXE_ch16-photons"), "ch16", "16"),
     (
         env!("CARGO_BIN_EXE_ch19-what-the-scene-asks"),
         "ch19",
@@ -40,7 +42,7 @@ const PROGRAMS: [(&str, &str, &str); 12] = [
 ];
 
 /// Pictures that show how noisy a method is, or have next to no light: a bias of 3 % would take minutes.
-const SHOW_NOISE: [&str; 10] = [
+const SHOW_NOISE: [&str; 12] = [
     "ch01-light",
     "ch14-caustic",
     "ch14-seen_specular",
@@ -49,6 +51,8 @@ const SHOW_NOISE: [&str; 10] = [
     "ch09-chance_3",
     "ch09-twice",
     "ch11-chance",
+    "ch16-sweep",
+    "ch16-unseen",
     "ch19-caustic",
     "ch19-seen_specular",
 ];

@@ -4,6 +4,7 @@
 //! input, 130 interrupted by Ctrl-C, 143 asked to terminate. A report that nobody can read ends nothing.
 
 mod answer;
+mod choices;
 mod classify;
 mod completions;
 mod converge;
@@ -16,6 +17,7 @@ mod light_paths;
 mod maps;
 mod page;
 mod patching;
+mod photons;
 mod render;
 mod report;
 mod scenes;

@@ -1,29 +1,29 @@
 //! `halfdisk render`.
 
 use super::answer::{print, to_json};
+use super::choices::{Points, by_name};
 use super::demand::{Demand, bias};
 use super::left_out::LeftOut;
 use super::light_paths::LightPaths;
 use super::maps::Maps;
 use super::patching::{Patched, Patching};
+use super::photons::{Landed, PhotonArgs};
 use super::report::Report;
 use super::stop::{Ended, Ending};
 use super::views::Views;
 use super::{Stop, note_slow_build, stem, use_threads};
 use crate::integrators::{
-    self, Entry, FilteredPath, Integrator, OTHERS, Path as PathTracer, RarelyAsked, Settings,
-    Shows, VIEWS, WALKS, rarely_asked,
+    Entry, FilteredPath, Integrator, Path as PathTracer, RarelyAsked, Settings, Shows, rarely_asked,
 };
 use crate::lab::chapter::{Bar, on_ctrl_c, tell, whole};
 use crate::lab::effects::measure::Setup;
 use crate::output::{self, Display, Provenance};
 use crate::render::stopping::{Outcome, render_to};
-use crate::render::{self, Options, Rendered};
+use crate::render::{self, Blur, Options, Rendered};
 use crate::sampling::stream::Sampler;
 use crate::scene::{Scene, build::film_size, gallery};
 use crate::time::Moment;
-use clap::builder::{PossibleValue, PossibleValuesParser, TypedValueParser};
-use clap::{Args, ValueEnum};
+use clap::Args;
 use std::path::PathBuf;
 
 /// Render a scene.
@@ -65,6 +65,8 @@ pub struct Render {
     #[command(flatten)]
     patching: Patching,
     #[command(flatten)]
+    photons: PhotonArgs,
+    #[command(flatten)]
     views: Views,
     #[command(flatten)]
     maps: Maps,
@@ -92,28 +94,12 @@ Examples:
       a scene of your own, with the error of each pixel beside its value
   halfdisk render gloss --target-error 2% --maps
       as many samples as it takes; and where they are needed
+  halfdisk render caustic --integrator photons --photons 200000 --radius 0.05
+      light that comes through glass, looked at where it lands; and how much that blurs
   halfdisk render caustic --time 30s
       the best picture of half a minute, and how good it is
   halfdisk render mine.toml --spp 4 --json --quiet
       a first look, and the facts for a program";
-
-/// The samplers by name.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
-enum Points {
-    /// Each sample without regard to the others; their scatter tells the error of their mean
-    Independent,
-    /// Owen-scrambled Sobol' points in runs of up to 64: evenly spread, so the error is smaller; the
-    /// scatter of the runs tells it; best with 16, 32 or a multiple of 64 samples per pixel
-    Sobol,
-}
-
-/// Reads the name of an integrator.
-fn by_name() -> impl TypedValueParser<Value = Entry> {
-    let all = WALKS.iter().rev().chain(&OTHERS).chain(&VIEWS);
-    let values = all.map(|entry| PossibleValue::new(entry.name).help(entry.help));
-    PossibleValuesParser::new(values)
-        .try_map(|name| integrators::find(&name).ok_or("there is no such integrator"))
-}
 
 pub(super) fn size(text: &str) -> Result<[u32; 2], String> {
     let (width, height) = text.split_once(['x', 'X']).unwrap_or_default();
@@ -146,7 +132,7 @@ impl Render {
         if let Some(bias) = self.integrator.biased.filter(|_| aims) {
             return Err(Stop::Input(format!(
                 "--target-error: the scatter of its samples is not all of the error of `{}`: {bias}; \
-                 --spp or --time ends it",
+                 --spp or --time ends it, and says how much that is",
                 self.integrator.name
             )));
         }
@@ -162,6 +148,7 @@ impl Render {
         let max_depth = self.max_depth(&scene)?;
         self.light_paths.check(self.integrator)?;
         self.patching.check(self.integrator)?;
+        self.photons.check(self.integrator)?;
         // Checked before any work, so that none is lost to a misspelt name or a closed folder.
         let path = self.path();
         output::prepare(&path, &scene)?;
@@ -211,9 +198,12 @@ impl Render {
             },
         };
         let (spp, seed) = (u64::from(outcome.spp), outcome.seed);
+        let photons = kept_integrator.as_ref().and_then(|made| made.photons());
+        let mut landed = photons.map(|photons| Landed::new(photons, &scene, outcome.spp));
         let facts = Provenance {
             sampler: self.sampler(),
             light_paths: self.light_paths.used(self.integrator, &scene, max_depth),
+            photons: landed.map(|landed| landed.facts),
             ..Provenance::new(&scene, self.integrator.name, max_depth, spp, seed)
         };
         // All files first: what follows is for people, or may fail.
@@ -253,6 +243,14 @@ impl Render {
             bias(whole, left, outcome.spp, &Bar::hidden(on_ctrl_c()))
         });
         let unmeasured = biased && bias.is_none();
+        let nobody_asks = self.quiet && !self.json;
+        if let (Some(photons), Some(landed), false) =
+            (photons, &mut landed, rendered.interrupted || nobody_asks)
+        {
+            let options = self.options(outcome.spp);
+            let bar = self.bar("blur");
+            landed.blur = Blur::measure(&scene, photons, &rendered.film, &options, &bar);
+        }
         left_out.iter_mut().for_each(|l| l.bias = bias);
         let left_out = left_out.as_ref();
         let report = Report {
@@ -270,6 +268,7 @@ impl Render {
                 .filter(|_| rendered.is_black())
                 .map(|left_out| left_out.why_black(&scene, max_depth)),
             patches: solved,
+            photons: landed,
             biased: self.integrator.biased,
             rarely_asked: self.rarely_asked(&scene, rendered, max_depth),
             lamps_unmet: left_out.map_or(0, LeftOut::unmet),
@@ -306,6 +305,8 @@ impl Render {
             max_depth,
             patches: self.patching.size(),
             light_paths: self.light_paths.asked(),
+            walks: self.photons.walks(),
+            radius: self.photons.radius(),
             watch: &bar,
         };
         let made = self.integrator.prepare(scene, &settings);
@@ -319,19 +320,25 @@ impl Render {
     }
 
     fn with(&self, scene: &Scene, integrator: &impl Integrator) -> Outcome {
-        let options = Options {
-            spp: self.ending.spp(scene.suggested.spp),
+        let options = self.options(self.ending.spp(scene.suggested.spp));
+        let bar = self.bar(&scene.name);
+        render_to(scene, integrator, &options, &self.ending.goal(), &bar)
+    }
+
+    fn options(&self, spp: u32) -> Options {
+        Options {
+            spp,
             seed: self.seed,
             sampler: self.sampler(),
             ..Options::default()
-        };
-        let stop = on_ctrl_c();
-        let bar = if self.quiet {
-            Bar::hidden(stop)
-        } else {
-            Bar::new(&scene.name, stop)
-        };
-        render_to(scene, integrator, &options, &self.ending.goal(), &bar)
+        }
+    }
+
+    fn bar(&self, what: &str) -> Bar {
+        match self.quiet {
+            true => Bar::hidden(on_ctrl_c()),
+            false => Bar::new(what, on_ctrl_c()),
+        }
     }
 
     /// Lights that the choice of one at each surface hardly meets in this picture.

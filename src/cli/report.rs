@@ -2,6 +2,7 @@
 
 use super::left_out::LeftOut;
 use super::patching::Patched;
+use super::photons::Landed;
 use super::stop::Ended;
 use crate::integrators::{ENOUGH, RarelyAsked};
 use crate::numeric::count;
@@ -33,6 +34,7 @@ pub(super) struct Report<'a> {
     pub no_maps: Option<String>,
     pub black: Option<String>,
     pub patches: Option<Patched>,
+    pub photons: Option<Landed>,
     /// Why the scatter of samples is not all of its error.
     pub biased: Option<&'static str>,
     pub rarely_asked: Option<RarelyAsked>,
@@ -223,13 +225,19 @@ impl Display for Report<'_> {
             let why = "since few samples that lie evenly only bound their error";
             writeln!(f, " ± at most {error:.1e}, {why}")?;
         } else {
-            let noise = self.biased.map_or("", |_| " of noise");
+            let noise = match self.photons {
+                Some(_) => " of noise, were pixels to share no photons",
+                None => self.biased.map_or("", |_| " of noise"),
+            };
             writeln!(f, " ± {error:.1e}{noise}")?;
         }
         self.scene(f)?;
         self.picture(f)?;
         if let Some(patches) = &self.patches {
             writeln!(f, "{patches}")?;
+        }
+        if let Some(photons) = &self.photons {
+            writeln!(f, "{photons}")?;
         }
         self.accuracy.fmt(f)?;
         if let Some(why) = self.biased {

@@ -26,6 +26,7 @@ const CHAPTERS: &[(&str, &str)] = &[
     ("ch13", "ch13-six-integrals"),
     ("ch14", "ch14-alphabet"),
     ("ch15", "ch15-patches"),
+    ("ch16", "ch16-photons"),
     ("ch17", "ch17-hard-cases"),
     ("ch18", "ch18-cost"),
     ("ch19", "ch19-what-the-scene-asks"),

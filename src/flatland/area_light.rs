@@ -57,6 +57,7 @@ impl AreaLight {
                 let near = toward * (toward.dot(center) - half_chord);
                 c.surface_towards((near - center).normalize())
             }
+            Shape::Ellipse(_) => return None,
         };
         Some(AreaLightSample {
             surface,
@@ -94,6 +95,8 @@ impl AreaLight {
                     }
                 })
             }
+            // No ellipse shines.
+            Shape::Ellipse(_) => None,
         }
     }
 }
@@ -164,6 +167,7 @@ mod tests {
         match ball.shape {
             Shape::Circle(c) => c.center,
             Shape::Segment(s) => s.ends()[0],
+            Shape::Ellipse(e) => e.center,
         }
     }
 }

@@ -2,12 +2,13 @@
 
 use super::description::{self as said, Description};
 use super::{
-    AreaLight, Circle, FlatHit, FlatWorld, Object, Part, PointLight, Segment, Shape, Window,
+    AreaLight, Circle, Ellipse, FlatHit, FlatSpecular, FlatWorld, Object, Part, PointLight,
+    Segment, Shape, Window,
 };
 use crate::color::Rgb;
 use crate::scene::field::{Checked, Problem, Within, check, named};
 use crate::scene::value::{Emission, Pair, Radiance};
-use glam::DVec2;
+use glam::{DVec2, Vec2};
 
 /// Checks a description and builds its world.
 pub fn build(said: &Description) -> Checked<FlatWorld> {
@@ -75,9 +76,28 @@ fn object(all: &Description, said: &said::Object) -> Checked<(Object, Vec<Shape>
         (Some(name), None) => Some(named(&all.materials, name).within("material")?.albedo),
         (None, albedo) => albedo,
     };
-    let seen = albedo.is_some() || said.emits.is_some();
-    check(seen, "needs an `albedo`, a `material`, or `emits`")?;
+    let specular = match (said.mirror, said.glass) {
+        (None, None) => None,
+        (Some(reflectance), None) => Some(FlatSpecular::Mirror {
+            reflectance: reflectance.get().within("mirror")?,
+        }),
+        (None, Some(ior)) => Some(FlatSpecular::Glass {
+            ior: ior.get().within("glass")?,
+        }),
+        (Some(_), Some(_)) => {
+            return Problem::of("has both `mirror` and `glass`, but takes only one of them");
+        }
+    };
+    let two = specular.is_some() && albedo.is_some();
+    check(!two, "is a `mirror` or `glass`, and has no albedo besides")?;
+    let seen = albedo.is_some() || specular.is_some() || said.emits.is_some();
+    let what = "needs an `albedo`, a `material`, a `mirror`, `glass`, or `emits`";
+    check(seen, what)?;
+    let ellipse = matches!(said.shape, said::Shape::Ellipse { .. });
+    let what = "is an ellipse, and `emits`: of round shapes only a `circle` shines";
+    check(!(ellipse && said.emits.is_some()), what)?;
     let object = Object {
+        specular,
         albedo: albedo.map_or(Ok(Rgb::BLACK), |albedo| albedo.get())?,
         emission: said.emits.map_or(Ok(Rgb::BLACK), Emission::get)?,
     };
@@ -94,6 +114,15 @@ fn shapes(said: &said::Shape) -> Checked<Vec<Shape>> {
             center: center.get()?.as_vec2(),
             radius: radius.get()? as f32,
         })]),
+        said::Shape::Ellipse { center, axes } => {
+            let half = axes.get()?.as_vec2();
+            let what = "must be two numbers above 0";
+            check(half.cmpgt(Vec2::ZERO).all(), what).within("axes")?;
+            Ok(vec![Shape::Ellipse(Ellipse {
+                center: center.get()?.as_vec2(),
+                axes: half,
+            })])
+        }
         said::Shape::Polyline { points, closed } => polyline(points, *closed)
             .within("points")
             .within("polyline"),

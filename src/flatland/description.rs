@@ -3,7 +3,7 @@
 //! Lengths are in scene units (metres, where power matters), colours linear. It is read as scenes are:
 //! serde refuses fields that do not exist, and each value is of a type that says what is allowed.
 
-use crate::scene::value::{Albedo, Emission, Pair, Positive, Radiance};
+use crate::scene::value::{Albedo, Emission, Ior, Pair, Positive, Radiance};
 use serde::Deserialize;
 use std::collections::BTreeMap;
 
@@ -79,8 +79,8 @@ pub struct Material {
     pub albedo: Albedo,
 }
 
-/// Something with a surface: an albedo, by itself or by the name of a material, an emission, or
-/// both, and a shape.
+/// Something with a surface: an albedo, by itself or by the name of a material, a mirror or glass, an
+/// emission, or some of them, and a shape.
 #[derive(Clone, Debug, Default, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Object {
@@ -88,6 +88,10 @@ pub struct Object {
     pub material: Option<String>,
     /// Share of light reflected.
     pub albedo: Option<Albedo>,
+    /// Share of light mirrored, on both sides.
+    pub mirror: Option<Albedo>,
+    /// Index of refraction of the glass behind its front.
+    pub glass: Option<Ior>,
     /// Radiance emitted on the front side, in W/(m·rad).
     pub emits: Option<Emission>,
     /// Its shape.
@@ -112,6 +116,13 @@ pub enum Shape {
         center: Pair,
         /// Radius.
         radius: Positive,
+    },
+    /// A circle, stretched along the axes; it faces outwards.
+    Ellipse {
+        /// Centre.
+        center: Pair,
+        /// Half the width, and half the height.
+        axes: Pair,
     },
     /// A chain of segments: a room if it is closed and runs counter-clockwise, a block if clockwise.
     Polyline {

@@ -13,7 +13,8 @@
 //! A segment faces the left-hand side of the way from its first point to its second: its normal is
 //! that way turned by +90°. A floor runs from left to right, a ceiling from right to left; a
 //! closed polyline that runs counter-clockwise is a room, one that runs clockwise is a block. A
-//! circle faces outwards. Both sides reflect alike; light is emitted on the front side only.
+//! circle or an ellipse faces outwards. Both sides reflect alike, and glass lies behind the front; light is
+//! emitted on the front side only.
 //!
 //! # Who does what
 //!
@@ -25,18 +26,23 @@
 mod area_light;
 pub mod build;
 pub mod description;
+mod ellipse;
+mod emission;
 pub mod exact;
 mod frame;
 pub mod gallery;
 mod point_light;
 mod shape;
+mod specular;
 mod surface;
 mod world;
 
 pub use area_light::{AreaLight, AreaLightSample};
+pub use ellipse::Ellipse;
 pub use frame::frame;
 pub use gallery::load;
 pub use point_light::{LightAtPoint, PointLight};
 pub use shape::{Circle, Intersection, Segment, Shape};
+pub use specular::FlatSpecular;
 pub use surface::FlatSurface;
 pub use world::{FlatHit, FlatWorld, Object, Part, Window};

@@ -1,6 +1,6 @@
-//! Segments and circles: where a ray crosses them, and the surface there.
+//! Everything with an outline: where a ray crosses it, and the surface there.
 
-use super::FlatSurface;
+use super::{Ellipse, FlatSurface};
 use crate::numeric::{gamma, quadratic};
 use glam::{DVec2, Vec2};
 
@@ -27,6 +27,8 @@ pub enum Shape {
     Segment(Segment),
     /// A round wall.
     Circle(Circle),
+    /// A stretched one.
+    Ellipse(Ellipse),
 }
 
 impl Shape {
@@ -35,6 +37,7 @@ impl Shape {
         match self {
             Shape::Segment(s) => s.intersect(origin, direction, t_max),
             Shape::Circle(c) => c.intersect(origin, direction, t_max),
+            Shape::Ellipse(e) => e.intersect(origin, direction, t_max),
         }
     }
 
@@ -43,6 +46,7 @@ impl Shape {
         match self {
             Shape::Segment(s) => s.surface(p),
             Shape::Circle(c) => c.surface(p),
+            Shape::Ellipse(e) => e.surface(p),
         }
     }
 
@@ -51,6 +55,7 @@ impl Shape {
         match self {
             Shape::Segment(s) => [s.from.min(s.to), s.from.max(s.to)],
             Shape::Circle(c) => [c.center - c.radius, c.center + c.radius],
+            Shape::Ellipse(e) => [e.center - e.axes, e.center + e.axes],
         }
     }
 }

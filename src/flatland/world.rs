@@ -1,6 +1,6 @@
 //! The flat world: what a ray meets first, and what sees what.
 
-use super::{AreaLight, FlatSurface, PointLight, Shape};
+use super::{AreaLight, FlatSpecular, FlatSurface, PointLight, Shape};
 use crate::color::Rgb;
 use glam::{DVec2, Vec2};
 
@@ -32,6 +32,8 @@ pub struct FlatWorld {
 pub struct Object {
     /// Share of the light reflected, diffusely and on both sides.
     pub albedo: Rgb,
+    /// What it is, where it is perfectly smooth; its albedo is black then.
+    pub specular: Option<FlatSpecular>,
     /// Radiance emitted on the front side, in W/(m·rad); black for most.
     pub emission: Rgb,
 }
@@ -61,8 +63,14 @@ pub struct FlatHit {
     pub t: f32,
     /// The point, its error bound and its normal.
     pub surface: FlatSurface,
+    /// The unit direction that it is seen from.
+    pub wo: Vec2,
     /// Share of the light reflected, diffusely and on both sides.
     pub albedo: Rgb,
+    /// What it is, where it is perfectly smooth.
+    pub specular: Option<FlatSpecular>,
+    /// The unit normal on the front, whichever side is seen.
+    pub front: Vec2,
     /// Radiance emitted on the front side, in W/(m·rad); [`FlatHit::emitted`] asks which side.
     pub emission: Rgb,
     /// Index into [`FlatWorld::objects`].
@@ -78,6 +86,7 @@ impl FlatHit {
     pub fn seen_from(self, w: Vec2) -> FlatHit {
         FlatHit {
             emission: self.emitted(w),
+            wo: w,
             surface: FlatSurface {
                 n: self.surface.normal_towards(w),
                 ..self.surface
@@ -128,10 +137,14 @@ impl FlatWorld {
         }
         let (intersection, number, part) = nearest?;
         let object = self.objects[part.object];
+        let surface = part.shape.surface(intersection.p);
         Some(FlatHit {
             t: intersection.t as f32,
-            surface: part.shape.surface(intersection.p),
+            surface,
+            wo: -direction.as_vec2(),
+            front: surface.n,
             albedo: object.albedo,
+            specular: object.specular,
             emission: object.emission,
             object: part.object,
             part: number,

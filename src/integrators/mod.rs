@@ -15,10 +15,11 @@
 //! | [`Photons`] | `L(D\|S\|G)*E`, blurred | walks from the lights, looked at where they land |
 //! | [`Path`] | as `combine` | all of it: the one to use |
 //!
-//! The walks are written against [`world::World`] and run in flatland, too. No integrator is
+//! The walks are written against [`world::World`] and run in flatland, too, photons included. No integrator is
 //! a flag of another one. They share the floors below, never each other's lines.
 
 mod asked;
+mod blur;
 mod caustics;
 mod combine;
 mod distributed;
@@ -41,6 +42,7 @@ mod whitted;
 pub mod world;
 
 pub use asked::{ENOUGH, RarelyAsked, rarely_asked};
+pub use blur::PhotonBlur;
 pub use caustics::Caustics;
 pub use combine::{Combine, Shares};
 pub use distributed::{Distributed, Integral};
@@ -125,6 +127,11 @@ pub trait Integrator: Sync {
         None
     }
 
+    /// Its photons, whose blur is told apart from its noise; `None` for those without.
+    fn photons(&self) -> Option<&Photons> {
+        None
+    }
+
     /// The same for the same scene in coordinates whose origin is `by` further, as another camera has
     /// them; `None` where it holds no coordinates.
     fn moved(&self, _by: DVec3) -> Option<Box<dyn Integrator>> {
@@ -143,6 +150,10 @@ impl<I: Integrator + ?Sized> Integrator for Box<I> {
 
     fn solved(&self) -> Option<&Report> {
         (**self).solved()
+    }
+
+    fn photons(&self) -> Option<&Photons> {
+        (**self).photons()
     }
 
     fn moved(&self, by: DVec3) -> Option<Box<dyn Integrator>> {

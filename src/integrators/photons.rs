@@ -21,28 +21,30 @@
 //! Jensen, Progressive Photon Mapping (TOG 27(5), 2008); Knaus, Zwicker, Progressive Photon Mapping: A
 //! Probabilistic Approach (TOG 30(3), 2011), whose passes know nothing of each other.
 
-use super::from_light::scatter;
-use super::world::World;
+use super::world::PhotonWorld;
 use super::{Entry, Finds, Found, Integrator, Pass, Passes, Prepared, Survival};
 use crate::color::Rgb;
-use crate::geometry::Ray;
-use crate::photons::{Photon, PhotonMap, radius};
+use crate::geometry;
+use crate::photons::{Kernel, Photon, PhotonMap, radius};
 use crate::sampling::mis::Heuristic;
 use crate::sampling::stream::{Purpose, Stream};
 use crate::scene::{RayCounts, Scene, Tracer};
+use crate::space::{Ray, Solid, Space};
 
-/// Walks from the lights, and walks from the eye that look at where they land.
+/// Walks from the lights, and walks from the eye that look at where they land; in either world.
 #[derive(Clone, Copy, Debug)]
 pub struct Photons {
     /// Longest path in segments, from the light to the eye.
     pub max_depth: u32,
     /// The radius of the first pass in scene units, positive; `None` for [`radius::first`].
     pub radius: Option<f32>,
-    /// How fast radii shrink, in `(0, 1)`, or 1 for radii that stay: see [`radius::shrunk`].
+    /// How fast discs shrink, in `(0, 1)`, or 1 for discs that stay: see [`radius::shrunk`].
     pub alpha: f64,
     /// Walks from the lights in each pass; `None` for as many as there are pixels, and at most
-    /// [`Photons::MOST_WALKS`].
+    /// [`Photons::USUAL_WALKS`].
     pub walks: Option<u32>,
+    /// How much a photon counts by its distance.
+    pub kernel: Kernel,
 }
 
 /// From here on roulette decides whether a walk goes on, whatever it meets.
@@ -52,8 +54,7 @@ impl Photons {
     /// Its row of the table.
     pub const ENTRY: Entry = Entry {
         biased: Some(
-            "what photons bring is blurred over discs, with a radius of two pixels or more in the first sample \
-             of all pixels, half of it in the 64th",
+            "what photons bring is blurred over discs, which shrink from pass to pass and never vanish",
         ),
         ..Entry::of_light(
             [
@@ -69,54 +70,83 @@ impl Photons {
                 points: Found::ALL,
                 by_chance: false,
             },
-            |settings| Box::new(Photons::new(settings.max_depth)),
+            |settings| {
+                Box::new(Photons {
+                    radius: settings.radius,
+                    walks: settings.walks,
+                    ..Photons::new(settings.max_depth)
+                })
+            },
         )
     };
 
     /// The most walks of a pass where none are asked for: so many photons fit into some hundred megabytes.
-    pub const MOST_WALKS: u32 = 1 << 18;
+    pub const USUAL_WALKS: u32 = 1 << 18;
 
-    /// The photon mapper whose noise and blur fall fastest together.
+    /// The most walks of a pass.
+    pub const MOST_WALKS: u32 = 1 << 24;
+
+    /// The photon mapper of scenes whose noise and blur fall fastest together.
     pub fn new(max_depth: u32) -> Self {
+        Photons::in_space::<Solid>(max_depth)
+    }
+
+    /// The same for either world.
+    pub fn in_space<S: Space>(max_depth: u32) -> Self {
         Photons {
             max_depth,
             radius: None,
-            alpha: radius::FASTEST,
+            alpha: radius::fastest::<S>(),
             walks: None,
+            kernel: Kernel::default(),
         }
     }
 
+    /// Walks of a pass over so many pixels, and the radius of the first pass; the rays that looked for it.
+    pub fn first(&self, scene: &Scene) -> (u32, f32, RayCounts) {
+        let pixels = scene.size[0].saturating_mul(scene.size[1]);
+        let walks = self.walks.unwrap_or(pixels.min(Self::USUAL_WALKS));
+        let (radius, rays) = match self.radius {
+            Some(radius) => (radius, RayCounts::default()),
+            None => radius::first(scene, walks),
+        };
+        (walks, radius, rays)
+    }
+
     // ANCHOR: leave
-    /// Traces one path from a light at the moment `time`, in `[0, 1]`, and calls `leave` with its photons: all
-    /// but those that come straight from the light, which are not needed.
-    pub fn trace(
+    /// Traces one path from a light at the moment `time`, in `[0, 1]`, and calls `leave` with its photons: one at each
+    /// surface that is not perfectly specular.
+    pub fn trace<S: Space, W: PhotonWorld<S>>(
         &self,
-        tracer: &mut Tracer,
+        world: &mut W,
         time: f32,
         stream: &Stream,
-        leave: &mut dyn FnMut(Photon),
+        leave: &mut dyn FnMut(Photon<S>),
     ) {
-        let Some(start) = tracer.sample_emission_at(stream, time) else {
-            return;
-        };
-        let mut power = start.power();
+        if let Some((ray, power)) = world.emit(time, stream) {
+            self.follow(world, ray, power, stream, leave);
+        }
+    }
+
+    /// The same for a path that has just left a light along `ray` with `power`, in W.
+    pub fn follow<S: Space, W: PhotonWorld<S>>(
+        &self,
+        world: &mut W,
+        mut ray: Ray<S>,
+        mut power: Rgb,
+        stream: &Stream,
+        leave: &mut dyn FnMut(Photon<S>),
+    ) {
         let mut throughput = Rgb::WHITE;
-        let mut ray = start.ray;
         for segments in 1..self.max_depth {
-            let Some(here) = tracer.secondary_ray(&ray) else {
+            let Some(here) = world.land(&ray) else {
                 break;
             };
-            if segments > 1 && tracer.smooth_event(&here).is_some() {
-                leave(Photon {
-                    p: here.surface.p,
-                    n: here.surface.n,
-                    wi: here.back,
-                    power,
-                    segments,
-                });
+            if world.smooth_event(&here).is_some() {
+                leave(world.photon(&here, power, segments));
             }
             let vertex = u64::from(segments);
-            let Some(step) = scatter(tracer, &here, vertex, stream) else {
+            let Some(step) = world.scatter(&here, vertex, stream) else {
                 break;
             };
             power *= step.weight;
@@ -138,48 +168,68 @@ impl Photons {
     }
     // ANCHOR_END: leave
 
+    // ANCHOR: radiance
+    /// The radiance that a point scatters to where it is seen from, of photons whose paths have at most so
+    /// many segments, by discs of this radius.
+    pub fn radiance<S: Space, W: PhotonWorld<S>>(
+        map: &PhotonMap<S>,
+        world: &W,
+        at: &W::Point,
+        radius: f32,
+        most_segments: u32,
+    ) -> Rgb {
+        let (p, n) = world.place(at);
+        // The cosine of a photon's direction is in its power already.
+        map.estimate(p, n, radius, |photon| {
+            if photon.segments > most_segments {
+                return Rgb::BLACK;
+            }
+            world.f(at, photon.wi) * photon.power
+        })
+    }
+    // ANCHOR_END: radiance
+
     // ANCHOR: look
-    /// One estimate of the radiance along a ray from the eye, by the photons of a pass.
-    fn walk(
+    /// One estimate of the radiance along a ray from the eye; `photons` says what those of a pass bring to a
+    /// point by paths of at most so many segments.
+    pub(super) fn walk<S: Space, W: PhotonWorld<S>>(
         &self,
-        map: Option<&PhotonMap>,
-        tracer: &mut Tracer,
-        ray: &Ray,
+        world: &mut W,
+        ray: &Ray<S>,
         stream: &Stream,
+        photons: impl Fn(&W, &W::Point, u32) -> Rgb,
     ) -> Rgb {
         let mut li = Rgb::BLACK;
         let mut beta = Rgb::WHITE;
         let mut ray = *ray;
         // The surface with photons that the ray left, and with what density.
-        let mut looked = None;
+        let mut looked: Option<(W::Point, f32)> = None;
         for depth in 1..=self.max_depth {
-            let hit = tracer.intersect(&ray, depth);
+            let hit = world.intersect(&ray, depth);
 
             // The light that comes along the path by itself: shadow rays could have found it, too.
-            let weight = looked.map_or(1.0, |(from, pdf)| {
-                Heuristic::Power.weight(pdf, tracer.pdf_light(&from, &ray, hit.as_ref()))
+            let weight = looked.as_ref().map_or(1.0, |(from, pdf)| {
+                Heuristic::Power.weight(*pdf, world.pdf_light(from, &ray, hit.as_ref()))
             });
-            li += beta * tracer.emitted(&ray, hit.as_ref()) * weight;
+            li += beta * world.emitted(&ray, hit.as_ref()) * weight;
             let Some(here) = hit else { break };
             if looked.is_some() || depth == self.max_depth {
                 break;
             }
 
             let vertex = u64::from(depth);
-            if tracer.smooth_event(&here).is_some() {
+            if world.smooth_event(&here).is_some() {
                 // Light that has met no surface before.
-                for light in 0..tracer.lights() {
-                    if let Some(direct) = tracer.sample_light(&here, light, vertex, stream) {
+                for light in 0..world.lights() {
+                    if let Some(direct) = world.sample_light(&here, light, vertex, stream) {
                         li += beta * direct.weighted(Heuristic::Power);
                     }
                 }
                 // Light that has.
-                if let Some(map) = map {
-                    li += beta * map.radiance(&here, self.max_depth - depth);
-                }
+                li += beta * photons(world, &here, self.max_depth - depth);
             }
 
-            let Some(step) = tracer.sample_bsdf(&here, vertex, stream) else {
+            let Some(step) = world.sample_bsdf(&here, vertex, stream) else {
                 break;
             };
             beta *= step.weight;
@@ -191,46 +241,78 @@ impl Photons {
                 }
                 beta = beta / q;
             }
-            looked = step.pdf.map(|pdf| (here, pdf));
             ray = step.ray;
+            if let Some(pdf) = step.pdf {
+                looked = Some((here, pdf));
+            }
         }
         li
     }
     // ANCHOR_END: look
+
+    /// One estimate of the radiance along a ray from the eye, by the photons of a pass.
+    ///
+    /// * `map`: photons of paths with two segments or more; light straight from the lights is found otherwise.
+    pub fn look<S: Space, W: PhotonWorld<S>>(
+        &self,
+        map: &PhotonMap<S>,
+        world: &mut W,
+        ray: &Ray<S>,
+        stream: &Stream,
+    ) -> Rgb {
+        self.walk(world, ray, stream, |world, at, most_segments| {
+            Self::radiance(map, world, at, map.radius(), most_segments)
+        })
+    }
+
+    /// The photons of one pass over a scene, in a map of its discs, and the rays they took; `None` where
+    /// it was stopped.
+    pub(super) fn map(&self, pass: &Pass) -> Option<(PhotonMap, RayCounts)> {
+        let (walks, first, mut rays) = self.first(pass.scene);
+        let radius = f64::from(first) * radius::shrunk::<Solid>(self.alpha, pass.sample);
+        // Photons lie where surfaces are at one moment, and are looked at there.
+        let time = pass.moment();
+        let (photons, traced) = pass.trace(0..walks, |tracer, stream, leave| {
+            // Light straight from its source is found otherwise.
+            self.trace(tracer, time, stream, &mut |photon| {
+                if photon.segments > 1 {
+                    leave(photon);
+                }
+            });
+        })?;
+        rays += traced;
+        Some((
+            PhotonMap::new(photons, walks, radius as f32, self.kernel),
+            rays,
+        ))
+    }
 }
 
 impl Integrator for Photons {
     /// What is found without photons: lights that are seen, and light that has met one surface which is no
     /// mirror or glass.
-    fn li(&self, tracer: &mut Tracer, ray: &Ray, stream: &Stream) -> Rgb {
-        self.walk(None, tracer, ray, stream)
+    fn li(&self, tracer: &mut Tracer, ray: &geometry::Ray, stream: &Stream) -> Rgb {
+        self.walk(tracer, ray, stream, |_, _, _| Rgb::BLACK)
     }
 
     fn passes(&self, _: &Scene) -> Option<&dyn Passes> {
+        Some(self)
+    }
+
+    fn photons(&self) -> Option<&Photons> {
         Some(self)
     }
 }
 
 impl Passes for Photons {
     fn prepare<'a>(&'a self, pass: &Pass<'a>) -> Option<Prepared<'a>> {
-        let walks = self.walks;
-        let walks = walks.unwrap_or_else(|| pass.pixels().min(Self::MOST_WALKS));
-        let (first, mut rays) = match self.radius {
-            Some(radius) => (radius, RayCounts::default()),
-            None => radius::first(pass.scene, walks),
-        };
-        let radius = f64::from(first) * radius::shrunk(self.alpha, pass.sample);
-        // Photons lie where surfaces are at one moment, and are looked at there.
+        let (map, rays) = self.map(pass)?;
         let time = pass.moment();
-        let (photons, traced) = pass.trace(0..walks, |tracer, stream, leave| {
-            self.trace(tracer, time, stream, leave);
-        })?;
-        rays += traced;
         Some(Prepared {
             eye: Some(Box::new(Looking {
                 photons: self,
                 time,
-                map: PhotonMap::new(photons, walks, radius as f32),
+                map,
             })),
             rays,
             ..Prepared::default()
@@ -246,9 +328,9 @@ struct Looking<'a> {
 }
 
 impl Integrator for Looking<'_> {
-    fn li(&self, tracer: &mut Tracer, ray: &Ray, stream: &Stream) -> Rgb {
+    fn li(&self, tracer: &mut Tracer, ray: &geometry::Ray, stream: &Stream) -> Rgb {
         let ray = ray.at_time(self.time);
-        self.photons.walk(Some(&self.map), tracer, &ray, stream)
+        self.photons.look(&self.map, tracer, &ray, stream)
     }
 }
 

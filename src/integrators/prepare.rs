@@ -12,6 +12,10 @@ pub struct Settings<'a> {
     /// Paths from the lights in each sample of all pixels, for integrators that trace some: see
     /// [`Path::light_paths`](super::Path::light_paths).
     pub light_paths: Option<u32>,
+    /// Walks from the lights in each pass, for integrators with photons; `None` for the usual number.
+    pub walks: Option<u32>,
+    /// The radius of their first discs in scene units, positive; `None` for the usual one.
+    pub radius: Option<f32>,
     /// Who watches, where making it takes a while.
     pub watch: &'a dyn Watch,
 }
@@ -23,6 +27,8 @@ impl Settings<'_> {
             max_depth,
             patches: PatchSize::default(),
             light_paths: None,
+            walks: None,
+            radius: None,
             watch: &(),
         }
     }

@@ -49,6 +49,18 @@ pub struct Provenance {
     /// Paths from the lights in each sample of all pixels; `None` where caustics are not traced from there.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub light_paths: Option<u32>,
+    /// The photons of a picture that has some.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub photons: Option<PhotonFacts>,
+}
+
+/// The photons of a picture.
+#[derive(Clone, Copy, Debug, PartialEq, serde::Serialize)]
+pub struct PhotonFacts {
+    /// Walks from the lights in each pass.
+    pub walks: u32,
+    /// Radius of the discs of the first pass, in scene units.
+    pub first_radius: f32,
 }
 
 impl Provenance {
@@ -63,6 +75,7 @@ impl Provenance {
             seed,
             sampler: Sampler::Independent,
             light_paths: None,
+            photons: None,
         }
     }
 }

@@ -279,7 +279,7 @@ fn is_free(world: &FlatWorld, a: &FlatPatch, b: &FlatPatch) -> bool {
             let [p, q] = wall.ends().map(|end| end.as_dvec2());
             !crosses([p, q], hull, close)
         }
-        Shape::Circle(_) => false,
+        Shape::Circle(_) | Shape::Ellipse(_) => false,
     })
 }
 

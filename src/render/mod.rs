@@ -5,6 +5,7 @@
 //! of threads nor the size of the tiles changes a bit.
 
 pub mod accuracy;
+mod blur;
 mod clock;
 pub mod compare;
 mod film;
@@ -17,6 +18,7 @@ pub mod stopping;
 mod tile;
 mod watch;
 
+pub use blur::Blur;
 pub use film::{BadSample, Film, Pixel};
 pub use film_loop::{Options, Rendered, Session, record, render, rounding};
 pub use picture::Picture;

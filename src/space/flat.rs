@@ -66,6 +66,14 @@ impl Space for Flat {
         a.dot(b)
     }
 
+    fn coordinates(p: Vec2) -> [f64; 3] {
+        p.extend(0.0).as_dvec3().to_array()
+    }
+
+    fn disc(radius: f64) -> f64 {
+        2.0 * radius
+    }
+
     fn from_plane(v: Vec2) -> Vec2 {
         v
     }

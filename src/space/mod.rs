@@ -47,7 +47,8 @@ pub trait Space: Copy + Debug + Send + Sync + 'static {
     /// What makes a white diffuse surface reflect all light, `1 / ∫ cos θ dω`: 1/2 per radian in
     /// the flat world, 1/π per steradian in space. A diffuse BRDF is albedo times this.
     const LAMBERT: f32;
-    /// The power of the distance with which the light of a small lamp falls off: 1, or 2.
+    /// The power of the distance with which the light of a small lamp falls off: 1, or 2. It is also the
+    /// dimension of a surface.
     const FALL_OFF: i32;
 
     /// The local axes whose last is the unit normal `n`.
@@ -74,6 +75,11 @@ pub trait Space: Copy + Debug + Send + Sync + 'static {
 
     /// The dot product.
     fn dot(a: Self::Vector, b: Self::Vector) -> f32;
+    /// The coordinates of a point; in the flat world the last one is 0.
+    fn coordinates(p: Self::Vector) -> [f64; 3];
+    /// Measure of the points of a flat surface less than `radius` away from one of them, a disc: `2 r` in
+    /// the flat world, `π r²` in space.
+    fn disc(radius: f64) -> f64;
     /// A vector of the plane, `x` to the right and `y` up; in space its `z` is 0.
     fn from_plane(v: Vec2) -> Self::Vector;
     /// The `x` and `y` of a vector.

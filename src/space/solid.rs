@@ -66,6 +66,14 @@ impl Space for Solid {
         a.dot(b)
     }
 
+    fn coordinates(p: Vec3) -> [f64; 3] {
+        p.as_dvec3().to_array()
+    }
+
+    fn disc(radius: f64) -> f64 {
+        std::f64::consts::PI * radius * radius
+    }
+
     fn from_plane(v: Vec2) -> Vec3 {
         v.extend(0.0)
     }

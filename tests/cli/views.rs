@@ -175,6 +175,53 @@ fn a_scene_without_patches_is_refused_in_one_sentence() {
 }
 
 #[test]
+fn photons_are_asked_for_where_there_are_some_and_said_with_their_blur() {
+    let folder = folder();
+    let render = |more: &[&str]| {
+        let start = ["render", "caustic", "--size", "16x12"];
+        halfdisk(folder.path(), &[&start, more].concat())
+    };
+    let by = ["--integrator", "photons"];
+    for (more, what) in [
+        (&["--photons", "100"][..], "only `--integrator photons` has"),
+        (&["--radius", "1"], "`path` has no photon map"),
+        (&["--photons", "0", by[0], by[1]], "from 1 to"),
+        (&["--radius", "0", by[0], by[1]], "above 0"),
+        (&["--radius", "nan", by[0], by[1]], "above 0"),
+        (
+            &["--target-error", "2%", by[0], by[1]],
+            "says how much that is",
+        ),
+    ] {
+        let said = complaint(&render(more));
+        assert!(said.contains(what), "{said}");
+    }
+    let output = render(&[
+        "--spp",
+        "4",
+        "--photons",
+        "2000",
+        "--radius",
+        "0.3",
+        by[0],
+        by[1],
+    ]);
+    let said = complaint(&output);
+    assert!(output.status.success(), "{said}");
+    for what in [
+        "photons: 2000 walks from the lights in each pass; discs of radius 3.000e-1 in the first",
+        "blur: ",
+        "that error is noise alone",
+    ] {
+        assert!(said.contains(what), "{said}");
+    }
+    let bytes = std::fs::read(folder.path().join("out/caustic-photons.png")).unwrap();
+    let facts = r#""photons":{"walks":2000,"first_radius":0.3}"#.as_bytes();
+    let holds = bytes.windows(facts.len()).any(|part| part == facts);
+    assert!(holds, "the file says what it is made with");
+}
+
+#[test]
 fn patches_are_asked_for_where_there_are_some() {
     let folder = folder();
     for (arguments, what) in [

@@ -89,7 +89,7 @@ fn a_wrong_file_is_told_line_and_field() {
         (
             r#"material = "wall""#,
             "",
-            "`objects[0]` needs an `albedo`, a `material`, or `emits`",
+            "`objects[0]` needs an `albedo`, a `material`, a `mirror`, `glass`, or `emits`",
         ),
         (
             r#"material = "wall""#,
@@ -228,7 +228,7 @@ fn a_polyline_turns_in_or_out_by_its_direction() {
                 let middle = s.surface_at(0.5);
                 middle.n.dot(glam::Vec2::splat(0.5) - middle.p) > 0.0
             }
-            Shape::Circle(_) => false,
+            Shape::Circle(_) | Shape::Ellipse(_) => false,
         };
         world
             .parts()

@@ -29,6 +29,7 @@ fn truth(shape: &Shape, o: DVec2, d: DVec2) -> (Vec<f64>, f64) {
             let margin = (1.0 - off / radius).abs();
             (if off <= radius { met.collect() } else { vec![] }, margin)
         }
+        Shape::Ellipse(_) => unreachable!("none is drawn here"),
     }
 }
 
@@ -92,7 +93,7 @@ fn meets_again(world: &FlatWorld, hit: &FlatHit, origin: Vec2, direction: Vec2) 
     match (world.first_hit(origin, direction), world.parts()[0].shape) {
         (None, _) => false,
         (Some(_), Shape::Segment(_)) => true,
-        (Some(next), Shape::Circle(_)) => {
+        (Some(next), Shape::Circle(_) | Shape::Ellipse(_)) => {
             hit.surface.n.dot(direction) >= 0.0 || next.surface.n.dot(direction) <= 0.0
         }
     }

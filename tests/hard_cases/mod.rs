@@ -68,6 +68,10 @@
 //! | A46 nothing | `film_and_input::a46_*`, `cli::bad_meshes::*` | |
 //! | A47 order | `structure::a47_*`, `determinism::*` | sums of parts differ |
 //! | A48 faint paths | `structure::a48_*` | a hundred times the rays |
+//! | A49 photons: any size, far away | `photons::input::a49_scenes_*` | a radius that is not scaled along |
+//! | A49 photons: radii, edges, counts | `photons::input::a49_radii_*`, `photons::map::*`, `photons::density::*` | 0 / 0; half at an edge; `k / (k - 1)` |
+//! | A49 photons: no lamp, only a sky | `photons::input::a49_no_lamp_*` | |
+//! | A49 photons: lamp or camera in glass | `photons::pictures::s0_01_*`, `photons::input::a49_a_camera_*` | exactly black by paths |
 //! | A50 patches of any size | `patches::a50_rooms_of_*` | a fixed offset: half the pairs are hidden and more |
 //! | A50 patches far away | `patches::a50_*_far_*` | a fixed offset of 1e-4 sees nothing |
 //! | A50 slivers | `patches::a50_slivers_*` | centre to centre: nothing in place of a half |

@@ -20,7 +20,7 @@ impl Display for Report {
         )?;
         writeln!(
             f,
-            "{:<12}{:>6}{:>10}{:>18}   {:>18}   {:>6}",
+            "{:<13}{:>6}{:>10}{:>18}   {:>18}   {:>6}",
             "method", "spp", "seconds", "error, %", "rays of a sample", "worst"
         )?;
         list.methods
@@ -29,7 +29,7 @@ impl Display for Report {
         let worst = "the share of the squared error in the worst thousandth of the pixels";
         writeln!(f, "(worst: {worst})\n")?;
         for method in &list.methods {
-            writeln!(f, "{:<12}{}", method.name, method.says())?;
+            writeln!(f, "{:<13}{}", method.name, method.says())?;
         }
         writeln!(f)?;
         for method in &list.methods {
@@ -42,14 +42,14 @@ impl Display for Report {
         let targets = row(TARGETS.map(|t| format!("{} %", 100.0 * t)));
         writeln!(
             f,
-            "\ntime to a relative error, at {w} x {h}:\n{:<12}{targets}",
+            "\ntime to a relative error, at {w} x {h}:\n{:<13}{targets}",
             ""
         )?;
         for method in &list.methods {
             let times = row(std::array::from_fn(|i| {
                 time(&method.times[i], self.scale())
             }));
-            writeln!(f, "{:<12}{times}", method.name)?;
+            writeln!(f, "{:<13}{times}", method.name)?;
         }
         for (name, why) in &self.left_out {
             writeln!(f, "left out: {name}, for {why}")?;
@@ -76,7 +76,7 @@ fn sizes(method: &Priced, f: &mut Formatter) -> fmt::Result {
         let (spp, seconds, worst) = (s.spp, s.seconds, 100.0 * s.top_share);
         writeln!(
             f,
-            "{name:<12}{spp:>6}{seconds:>10.4}{error:>18}   {each:>18}   {worst:>4.1} %"
+            "{name:<13}{spp:>6}{seconds:>10.4}{error:>18}   {each:>18}   {worst:>4.1} %"
         )?;
         [name, each] = ["", ""];
     }

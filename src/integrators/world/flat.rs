@@ -74,7 +74,26 @@ impl World<Flat> for FlatTracer<'_> {
         }
     }
 
+    fn smooth_event(&self, at: &FlatHit) -> Option<Event> {
+        at.specular.is_none().then_some(Event::Diffuse)
+    }
+
     fn sample_bsdf(&self, at: &FlatHit, vertex: u64, stream: &Stream) -> Option<Step<Flat>> {
+        if let Some(specular) = &at.specular {
+            let axes = Flat::frame(at.front);
+            let both = specular.specular(Flat::to_local(&axes, at.wo));
+            let branch = both.choose(stream.at(vertex, Purpose::Branch).one())?;
+            let local = Vec2::new(branch.wi.x, branch.wi.z);
+            let direction = Flat::to_world(&axes, local).normalize();
+            return Some(Step {
+                ray: Ray::new(at.surface.leave(direction), direction),
+                weight: branch.weight,
+                bsdf_weight: branch.weight,
+                pdf: None,
+                event: Event::Specular,
+                left: stream.at(vertex, Purpose::Direction).one(),
+            });
+        }
         if at.albedo.is_black() {
             return None;
         }

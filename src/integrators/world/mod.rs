@@ -6,10 +6,12 @@
 
 mod flat;
 mod guided;
+mod photon;
 mod scene;
 
 pub use flat::{FlatTracer, Lights};
 pub use guided::Guided;
+pub use photon::PhotonWorld;
 
 use crate::color::Rgb;
 use crate::materials::Event;

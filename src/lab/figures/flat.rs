@@ -2,7 +2,7 @@
 //!
 //! Directions are parameters: whoever samples them also has them drawn.
 
-use crate::flatland::{FlatSurface, FlatWorld, Shape};
+use crate::flatland::{Ellipse, FlatSurface, FlatWorld, Shape};
 use crate::lab::drawing::{Arc, Bounds, Circle, Dot, Label, RayDrawing, Stroke, StrokeKind};
 use crate::numeric::sin_cos;
 use glam::{DVec2, Mat2, Vec2};
@@ -35,6 +35,7 @@ pub fn world(world: &FlatWorld) -> RayDrawing {
                 radius: f64::from(circle.radius),
                 kind,
             }),
+            Shape::Ellipse(ellipse) => drawing.strokes.extend(outline(&ellipse, kind)),
         }
     }
     let lamp = |at| Dot { at: wide(at) };
@@ -44,6 +45,17 @@ pub fn world(world: &FlatWorld) -> RayDrawing {
         .map(|l| lamp(l.position))
         .collect();
     drawing
+}
+
+/// An ellipse as a polygon, fine enough to look round.
+fn outline(ellipse: &Ellipse, kind: StrokeKind) -> Vec<Stroke> {
+    const SIDES: u32 = 96;
+    let corner = |k: u32| {
+        let surface = ellipse.surface_at(2.0 * PI * f64::from(k) / f64::from(SIDES));
+        wide(surface.p)
+    };
+    let side = |k| Stroke::new(kind, corner(k), corner(k + 1));
+    (0..SIDES).map(side).collect()
 }
 
 /// A world with the half disk over P, and the rays that leave P in the given directions of the

@@ -1,0 +1,144 @@
+//! Where photons land: on a line, where they can be counted by hand, and on the floor under a ball of glass.
+
+use super::scene;
+use halfdisk::flatland::{FlatWorld, gallery};
+use halfdisk::integrators::Photons;
+use halfdisk::integrators::world::FlatTracer;
+use halfdisk::lab::chapter::{Desk, DeskError};
+use halfdisk::lab::drawing::{Bounds, Circle, Dot, HALF, Label, RayDrawing, Stroke, StrokeKind};
+use halfdisk::lab::figures::flat;
+use halfdisk::photons::Photon;
+use halfdisk::sampling::stream::Stream;
+use halfdisk::scene::Tracer;
+use halfdisk::scene::read::Source;
+use halfdisk::space::Flat;
+
+/// A lamp at height 1 over a floor; its power is such that the floor below it gets 1 W/m.
+pub const LAMP: &str = "name = 'lamp'\nwindow = { min = [-1.6, -0.25], max = [1.6, 1.2] }\n\
+    [[objects]]\nalbedo = 0.5\nsegment = { from = [-4, 0], to = [4, 0] }\n\
+    [[lamps]]\npoint = { position = [0, 1], power = 6.283185307179586 }\n";
+
+/// A flat world of this chapter.
+pub fn flat_world(file: &'static str, text: &str) -> Result<FlatWorld, DeskError> {
+    Ok(gallery::from_text(Source { file, text })?)
+}
+
+/// The photons that so many walks leave where they land first.
+pub fn first_photons(world: &FlatWorld, walks: u32, seed: u64, run: u32) -> Vec<Photon<Flat>> {
+    let by = Photons::in_space::<Flat>(2);
+    let mut tracer = FlatTracer::new(world);
+    let mut found = Vec::new();
+    for walk in 0..walks {
+        let stream = Stream::new(seed, walk, run);
+        by.trace(&mut tracer, 0.0, &stream, &mut |photon| found.push(photon));
+    }
+    found
+}
+
+pub fn work(desk: &mut Desk) -> Result<(), DeskError> {
+    window(desk)?;
+    ball(desk)
+}
+
+/// The flat lamp, some of its photons, and a window around P.
+fn window(desk: &mut Desk) -> Result<(), DeskError> {
+    let world = flat_world("lamp.toml", LAMP)?;
+    let mut drawing = flat::world(&world);
+    drawing.title = "Photons on a line".to_owned();
+    let (at, radius) = (0.35, 0.25);
+    let photons = first_photons(&world, 120, desk.options.seed, 0);
+    let shown = |photon: &&Photon<Flat>| photon.p.x.abs() < 1.6;
+    let mut counted = 0;
+    for photon in photons.iter().filter(shown) {
+        let p = photon.p.as_dvec2();
+        let inside = (p.x - at).abs() < radius;
+        counted += u32::from(inside);
+        let kind = match inside {
+            true => StrokeKind::ToEmitter,
+            false => StrokeKind::Axis,
+        };
+        drawing
+            .strokes
+            .push(Stroke::new(kind, [0.0, 1.0], p.to_array()));
+        drawing.dots.push(Dot { at: p.to_array() });
+    }
+    for end in [at - radius, at + radius] {
+        drawing
+            .strokes
+            .push(Stroke::new(StrokeKind::Normal, [end, -0.08], [end, 0.08]));
+    }
+    drawing.labels.push(Label {
+        at: [at, -0.16],
+        text: "P".to_owned(),
+    });
+    desk.value(
+        "window_photons",
+        "photons in the window of the drawing, of 120",
+        f64::from(counted),
+    );
+    let caption = format!(
+        "120 photons of a lamp over a floor. {counted} of them land in the window around P, which is {} wide: so P gets about \
+         {counted}/120 of the lamp's power, over {}.",
+        2.0 * radius,
+        2.0 * radius
+    );
+    desk.figure("window.svg", &caption, drawing.to_svg()?)
+}
+
+/// The floor under a ball of glass, from above: each dot is a photon.
+fn ball(desk: &mut Desk) -> Result<(), DeskError> {
+    let scene = scene("ball.toml", include_str!("ball.toml"))?;
+    let by = Photons::new(6);
+    let mut tracer = Tracer::new(&scene);
+    let eye = scene.origin();
+    let view = Bounds {
+        min: [-1.9, -1.9],
+        max: [1.9, 1.9],
+    };
+    for (file, caustic, caption) in [
+        (
+            "landed_direct.svg",
+            false,
+            "Photons that come straight from the lamp, on the floor under a ball of glass, seen from above. The circle is \
+             the ball. Its shadow is empty.",
+        ),
+        (
+            "landed_caustic.svg",
+            true,
+            "Photons of as many walks that have been through the glass. They fill a spot in the shadow, and lie so dense there \
+             that a few are enough.",
+        ),
+    ] {
+        let mut drawing = RayDrawing {
+            title: if caustic { "LS+D" } else { "LD" }.to_owned(),
+            view,
+            ..RayDrawing::default()
+        };
+        drawing.circles.push(Circle {
+            center: [0.0, 0.0],
+            radius: 1.0,
+            kind: StrokeKind::Wall,
+        });
+        for walk in 0..30_000_u32 {
+            let stream = Stream::new(desk.options.seed, walk, 0);
+            by.trace(&mut tracer, 0.0, &stream, &mut |photon| {
+                let p = photon.p.as_dvec3() + eye;
+                let first = (photon.segments > 1) == caustic;
+                let seen = p.x.abs() < 1.9 && p.z.abs() < 1.9;
+                // Those that have met the floor before are another word.
+                if first && seen && photon.power.g > 0.0 && p.y.abs() < 1e-3 {
+                    drawing.dots.push(Dot { at: [p.x, -p.z] });
+                }
+            });
+        }
+        let name = if caustic {
+            "photons_caustic"
+        } else {
+            "photons_direct"
+        };
+        let says = format!("photons in the drawing of {}", drawing.title);
+        desk.value(name, &says, drawing.dots.len() as f64);
+        desk.figure(file, caption, drawing.to_svg_at(HALF)?)?;
+    }
+    Ok(())
+}

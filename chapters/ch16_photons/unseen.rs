@@ -1,0 +1,57 @@
+//! A point in glass, and a mirror: three methods, of which one sees all.
+
+use super::scene;
+use halfdisk::integrators::{Integrator, LightTracer, Path, Photons};
+use halfdisk::lab::chapter::{Desk, DeskError};
+use halfdisk::render::{Film, Options, render};
+
+pub fn work(desk: &mut Desk) -> Result<u64, DeskError> {
+    desk.say("\nlight that nobody else sees");
+    let scene = scene("bulb.toml", include_str!("bulb.toml"))?;
+    let size = desk.choose([240, 180], [64, 48]);
+    let scene = scene.sized(size);
+    let depth = scene.suggested.max_depth;
+    let photons = Photons {
+        walks: Some(desk.choose(1 << 17, 1 << 14)),
+        ..Photons::new(depth)
+    };
+    let methods: [(&str, &dyn Integrator); 3] = [
+        ("path", &Path::from_eye(depth)),
+        ("light_tracer", &LightTracer { max_depth: depth }),
+        ("photons", &photons),
+    ];
+    let mut rays = 0;
+    let mut films = Vec::new();
+    for (name, method) in methods {
+        let options = Options {
+            spp: desk.spp(32, 16),
+            seed: desk.options.seed,
+            ..Options::default()
+        };
+        let made = render(&scene, method, &options, &desk.bar(name));
+        rays += made.rays.total();
+        if made.interrupted {
+            return Err(DeskError::Interrupted);
+        }
+        let mean = made.film.mean().0;
+        let says = format!("mean of the picture by {}", name.replace('_', "-"));
+        match name {
+            "path" => desk.known("unseen_path", &says, mean, 0.0),
+            _ => desk.value(&format!("unseen_{name}"), &says, mean),
+        }
+        // Rows through the mirror, beside which there is nothing but the balls.
+        let rows = made.film.rows(size[1] * 3 / 10..size[1] * 4 / 10).mean().0;
+        let says = format!(
+            "mean of some rows through the mirror by {}",
+            name.replace('_', "-")
+        );
+        desk.value(&format!("unseen_mirror_{name}"), &says, rows);
+        films.push(made.film);
+    }
+    let strip: Vec<&Film> = films.iter().collect();
+    let caption = "A point that shines in a bulb of glass. Left, path tracing from the eye alone: black, for no walk from the eye meets a point, and \
+                   no shadow ray goes through glass. Middle, light tracing: the floor, but not the mirror and the ball. Right, \
+                   photons: all of it.";
+    desk.picture("unseen.png", caption, &Film::beside(&strip), &scene)?;
+    Ok(rays)
+}

@@ -1,0 +1,23 @@
+//! What `halfdisk render` lets choose by name.
+
+use crate::integrators::{self, Entry, OTHERS, VIEWS, WALKS};
+use clap::ValueEnum;
+use clap::builder::{PossibleValue, PossibleValuesParser, TypedValueParser};
+
+/// The samplers by name.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub(super) enum Points {
+    /// Each sample without regard to the others; their scatter tells the error of their mean
+    Independent,
+    /// Owen-scrambled Sobol' points in runs of up to 64: evenly spread, so the error is smaller; the
+    /// scatter of the runs tells it; best with 16, 32 or a multiple of 64 samples per pixel
+    Sobol,
+}
+
+/// Reads the name of an integrator.
+pub(super) fn by_name() -> impl TypedValueParser<Value = Entry> {
+    let all = WALKS.iter().rev().chain(&OTHERS).chain(&VIEWS);
+    let values = all.map(|entry| PossibleValue::new(entry.name).help(entry.help));
+    PossibleValuesParser::new(values)
+        .try_map(|name| integrators::find(&name).ok_or("there is no such integrator"))
+}
