@@ -104,9 +104,6 @@ fn round(value: &mut Value) {
     }
 }
 
-/// Pictures computed from estimates, whose own errors nobody knows: they are compared at one seed only.
-const DERIVED: [&str; 2] = ["ch07-sigma", "ch10-depths"];
-
 /// Compares a picture with the stored one, as what it is: an estimate.
 fn check_picture(name: &str, path: &Path) {
     let blocks = pictures::in_blocks(&output::read(&path.with_extension("exr")).unwrap());
@@ -118,7 +115,7 @@ fn check_picture(name: &str, path: &Path) {
     });
     let notices = pictures::Verdict::of(&blocks, &blocks).notices;
     println!("{name}: would notice a bias of {:.2} %", 100.0 * notices);
-    let excused = SHOW_NOISE.contains(&name) || DERIVED.contains(&name);
+    let excused = SHOW_NOISE.contains(&name);
     let enough = notices <= 0.03 || excused;
     assert!(enough, "{name}: would notice a bias of {notices} only");
 }

@@ -8,7 +8,7 @@ use crate::data::Run;
 use crate::directives::{self, Directive};
 use crate::edit::{Problem, rewrite};
 use crate::ledger::{self, PageLink};
-use crate::{figures, includes, maths, numbers};
+use crate::{figures, includes, listings, maths, numbers};
 
 /// What every page is prepared with.
 pub struct Preparation {
@@ -66,6 +66,11 @@ impl Preparation {
         }
     }
 
+    /// The folder that a page's includes are seen from.
+    fn beside(&self, file: &Path) -> PathBuf {
+        self.sources.join(file.parent().unwrap_or(file))
+    }
+
     /// What stands for a directive on the page in `file`.
     fn expand(
         &self,
@@ -88,13 +93,14 @@ impl Preparation {
                 ledger::expand(arguments, &self.run, links, file)?,
             ),
             "include" | "rustdoc_include" => {
-                let beside = self.sources.join(file.parent().unwrap_or(file));
-                includes::check(arguments, &beside).map(|()| source.to_string())
+                includes::check(arguments, &self.beside(file)).map(|()| source.to_string())
             }
+            "listing" => block(directive, listings::expand(arguments, &self.beside(file))?),
+            "changes" => block(directive, listings::changes(arguments, &self.beside(file))?),
             "title" => Ok(source.to_string()),
             _ => Err(format!(
-                "unknown directive `{name}` (known: figure, figures, include, ledger, number, \
-                 rustdoc_include, title)"
+                "unknown directive `{name}` (known: changes, figure, figures, include, ledger, \
+                 listing, number, rustdoc_include, title)"
             )),
         }
     }

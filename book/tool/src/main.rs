@@ -13,6 +13,7 @@ mod edit;
 mod figures;
 mod includes;
 mod ledger;
+mod listings;
 mod markup;
 mod maths;
 mod numbers;
