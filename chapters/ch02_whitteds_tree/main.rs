@@ -31,7 +31,7 @@ fn work(desk: &mut Desk) -> Result<Ledger, DeskError> {
     // The picture, and the tree of one of its pixels.
     let scene = gallery::load("whitted")?;
     let picture = whole(desk, &scene, scene.suggested.max_depth)?;
-    let caption = "A glass, a mirror and a dull sphere, by shadow, mirror and glass rays alone.";
+    let caption = "A glass, a mirror and a diffuse sphere, by shadow, mirror and glass rays alone.";
     desk.picture("image.png", caption, &picture.film, &scene)?;
     let mut record = TreeRecord::default();
     let [s, t] = figures::PIXEL;

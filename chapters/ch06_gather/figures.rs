@@ -173,7 +173,9 @@ pub fn growth(desk: &mut Desk, seed: u64) -> Result<(), DeskError> {
             .rays() as f64
         };
         let points = (0..=6).map(move |depth| (f64::from(depth), rays(depth)));
-        Curve::new(format!("{samples} directions"), Style::MarksAndLine, points)
+        let plural = if samples == 1 { "" } else { "s" };
+        let name = format!("{samples} direction{plural}");
+        Curve::new(name, Style::MarksAndLine, points)
     };
     let chart = CurveChart {
         title: "Rays for one look at one pixel".to_owned(),

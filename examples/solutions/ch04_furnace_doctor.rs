@@ -1,4 +1,4 @@
-//! Chapter 4, exercise 1: five broken estimators, named by what the furnace reads.
+//! Chapter 4, exercise 2: five broken estimators, named by what the furnace reads.
 //!
 //! Each gathers the light of a white sky over a surface of the flat world, and each is wrong in one
 //! way. The doctor asks it about several surfaces and compares the readings with those of the

@@ -12,7 +12,7 @@ use crate::includes::{self, anchor_name};
 use crate::markup::escape;
 
 /// Unchanged lines that are shown around changed ones.
-const AROUND: usize = 2;
+const AROUND: usize = 3;
 
 /// The code of one anchor, or of a whole file, with the file's name above it.
 pub fn expand(arguments: &[&str], folder: &Path) -> Result<String, String> {
@@ -176,7 +176,7 @@ mod a;
             page.contains("\n-     step();\n+     aim();\n      rest();\n"),
             "{page}"
         );
-        assert!(!page.contains("fn walk"), "three lines away: {page}");
+        assert!(page.contains("  fn walk"), "three lines away: {page}");
         let same = changes(&["../a.rs:old", "../a.rs:old"], &at).unwrap_err();
         assert_eq!(same, "the two are the same");
         assert!(changes(&["../a.rs:old"], &at).is_err());

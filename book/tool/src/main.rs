@@ -17,6 +17,7 @@ mod listings;
 mod markup;
 mod maths;
 mod numbers;
+mod terms;
 
 use std::io;
 use std::path::PathBuf;

@@ -11,8 +11,9 @@ pub fn expand(arguments: &[&str], run: &Run) -> Result<String, String> {
         [path, digits] => (path.split('.').collect(), Some(wanted(digits)?)),
         _ => (Vec::new(), None),
     };
-    let plain =
-        |value| digits.map_or_else(|| digits::plain(value), |n| digits::significant(value, n));
+    let plain = |value, plain: fn(f64) -> String| {
+        digits.map_or_else(|| plain(value), |n| digits::significant(value, n))
+    };
     let (chapter, name, field) = match parts[..] {
         [chapter, name] => (chapter, name, None),
         [chapter, name, field] => (chapter, name, Some(field)),
@@ -24,15 +25,20 @@ pub fn expand(arguments: &[&str], run: &Run) -> Result<String, String> {
         None => {
             let written = match digits {
                 Some(digits) => digits::significant(number.value, digits),
-                None => digits::with_error(number.value, number.error.unwrap_or(0.0)),
+                None => match number.error {
+                    Some(error) => digits::with_error(number.value, error),
+                    None => digits::unsure(number.value),
+                },
             };
             Ok(match &number.unit {
                 Some(unit) => digits::with_unit(&written, unit),
                 None => written,
             })
         }
-        Some("value") => Ok(plain(number.value)),
-        Some("exact") => (number.exact.map(plain)).ok_or_else(|| missing("exact")),
+        Some("value") => Ok(plain(number.value, digits::unsure)),
+        Some("exact") => {
+            (number.exact.map(|exact| plain(exact, digits::plain))).ok_or_else(|| missing("exact"))
+        }
         Some("error") => (number.error)
             .map(|error| digits::significant(error, digits::ERROR_DIGITS))
             .ok_or_else(|| missing("error")),
@@ -80,9 +86,20 @@ mod tests {
     }
 
     #[test]
+    fn what_is_neither_exact_nor_given_an_error_has_four_digits() {
+        assert_eq!(digits::unsure(0.313_014_6), "0.313");
+        assert_eq!(digits::unsure(6.191_739), "6.192");
+        assert_eq!(
+            digits::unsure(4_828_245.0).replace('\u{202f}', " "),
+            "4 828 245"
+        );
+        assert_eq!(digits::plain(0.923_076_92), "0.9230769");
+    }
+
+    #[test]
     fn as_many_digits_as_are_wanted() {
         let digits = |path, digits| expand(&[path, digits], &fixtures());
-        let read = |text: &str| text.replace('\u{202f}', " ");
+        let read = |text: &str| text.replace(['\u{202f}', '\u{a0}'], " ");
         assert_eq!(
             read(&digits("ch01.hits_3d.exact", "digits=3").unwrap()),
             "12 400"
