@@ -20,8 +20,8 @@ pub fn drawings(desk: &mut Desk) -> Result<(), DeskError> {
     )?;
     desk.figure(
         "fresnel.svg",
-        "How much is mirrored. From air, 4 % nearly up to grazing angles; from inside the glass, all of it \
-         beyond the critical angle of 41.8° (total internal reflection).",
+        "How much is mirrored. From air 4 % head-on, and hardly more until 50°; from inside the glass, all of it beyond \
+         the critical angle of 41.8° (total internal reflection).",
         reflectance()?,
     )?;
     let (svg, below) = acne()?;
