@@ -76,18 +76,18 @@ fn main() {
     }
 }
 
+/// The estimators, and what is wrong with each.
+const BROKEN: [(&str, Broken, &str); 5] = [
+    ("A", a, "formula as printed"),
+    ("B", b, "cosine of the sampled angle"),
+    ("C", c, "one term too many"),
+    ("D", d, "cosine twice"),
+    ("E", e, "density forgotten"),
+];
+
 #[cfg(test)]
 mod tests {
     use super::*;
-
-    /// The estimators, and what is wrong with each.
-    const BROKEN: [(&str, Broken, &str); 5] = [
-        ("A", a, "formula as printed"),
-        ("B", b, "cosine of the sampled angle"),
-        ("C", c, "one term too many"),
-        ("D", d, "cosine twice"),
-        ("E", e, "density forgotten"),
-    ];
 
     #[test]
     fn the_doctor_names_each_slip() {
