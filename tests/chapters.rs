@@ -219,6 +219,10 @@ fn ch04_half_disk() {
         "segment",
         "segment_printed",
         "room",
+        "sky_flat",
+        "sky_solid",
+        "bulb_one",
+        "bulb_two",
         "slope_correct",
         "slope_literal",
     ] {
@@ -236,6 +240,12 @@ fn ch04_half_disk() {
     }
     assert!(number(&data, "slope_correct", "value") < -0.4);
     assert!(number(&data, "slope_literal", "value") > -0.1);
+    // Twice as far: a quarter of the irradiance, and neither a half nor an eighth.
+    let [near, far] = ["bulb_one", "bulb_two"].map(|name| number(&data, name, "value"));
+    assert!((3.5..4.5).contains(&(near / far)), "{near} and {far}");
+    // Paths of 24 segments lack the share 2^-24 of the light.
+    let lacks = 2.0 - number(&data, "furnace", "value");
+    assert!((0.0..4e-7).contains(&lacks), "{lacks:e}");
 }
 
 #[test]
