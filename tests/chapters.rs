@@ -108,9 +108,6 @@ fn round(value: &mut Value) {
     }
 }
 
-/// Pictures computed from estimates, whose own errors nobody knows: they are compared at one seed only.
-const DERIVED: [&str; 2] = ["ch07-sigma", "ch10-depths"];
-
 /// Compares a picture with the stored one, as what it is: an estimate.
 fn check_picture(name: &str, path: &Path) {
     let blocks = pictures::in_blocks(&output::read(&path.with_extension("exr")).unwrap());
@@ -122,7 +119,7 @@ fn check_picture(name: &str, path: &Path) {
     });
     let notices = pictures::Verdict::of(&blocks, &blocks).notices;
     println!("{name}: would notice a bias of {:.2} %", 100.0 * notices);
-    let excused = SHOW_NOISE.contains(&name) || DERIVED.contains(&name);
+    let excused = SHOW_NOISE.contains(&name);
     let enough = notices <= 0.03 || excused;
     assert!(enough, "{name}: would notice a bias of {notices} only");
 }
@@ -226,6 +223,10 @@ fn ch04_half_disk() {
         "segment",
         "segment_printed",
         "room",
+        "sky_flat",
+        "sky_solid",
+        "bulb_one",
+        "bulb_two",
         "slope_correct",
         "slope_literal",
     ] {
@@ -243,6 +244,12 @@ fn ch04_half_disk() {
     }
     assert!(number(&data, "slope_correct", "value") < -0.4);
     assert!(number(&data, "slope_literal", "value") > -0.1);
+    // Twice as far: a quarter of the irradiance, and neither a half nor an eighth.
+    let [near, far] = ["bulb_one", "bulb_two"].map(|name| number(&data, name, "value"));
+    assert!((3.5..4.5).contains(&(near / far)), "{near} and {far}");
+    // Paths of 24 segments lack the share 2^-24 of the light.
+    let lacks = 2.0 - number(&data, "furnace", "value");
+    assert!((0.0..4e-7).contains(&lacks), "{lacks:e}");
 }
 
 #[test]

@@ -186,8 +186,14 @@ fn files_and_chapters_stay_short() {
 /// What is wrong with the includes of a page: files or anchors that are not there exactly once.
 fn broken_includes(page: &str, read: impl Fn(&str) -> Option<String>) -> Vec<String> {
     let mut problems = Vec::new();
-    for directive in page.split("{{#include ").skip(1) {
-        let target = directive.split("}}").next().unwrap_or("").trim();
+    let marks = ["{{#include ", "{{#listing ", "{{#changes "];
+    let named = marks.map(|mark| {
+        let all = page.split(mark).skip(1);
+        all.filter_map(|directive| directive.split("}}").next())
+            .flat_map(str::split_whitespace)
+            .collect::<Vec<_>>()
+    });
+    for target in named.concat() {
         let (file, anchor) = target.split_once(':').unwrap_or((target, ""));
         let Some(code) = read(file) else {
             problems.push(format!("{target}: no such file"));
@@ -212,7 +218,7 @@ fn the_book_includes_code_that_exists() {
     let mut includes = 0;
     for page in files(&root().join("book/src"), "md") {
         let text = fs::read_to_string(&page).unwrap();
-        includes += text.matches("{{#include ").count();
+        includes += text.matches("{{#listing ").count();
         let folder = page.parent().unwrap();
         let problems = broken_includes(&text, |file| fs::read_to_string(folder.join(file)).ok());
         assert!(problems.is_empty(), "{}: {problems:#?}", page.display());
@@ -228,6 +234,8 @@ fn a_broken_include_is_noticed() {
     assert!(broken_includes("{{#include a.rs:x}} {{#include a.rs}}", file).is_empty());
     assert_eq!(broken_includes("{{#include a.rs:z}}", file).len(), 2);
     assert_eq!(broken_includes("{{#include b.rs:x}}", file).len(), 1);
+    assert_eq!(broken_includes("{{#listing b.rs:x}}", file).len(), 1);
+    assert_eq!(broken_includes("{{#changes a.rs:x b.rs:x}}", file).len(), 1);
 }
 
 #[test]

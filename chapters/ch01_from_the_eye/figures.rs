@@ -30,8 +30,8 @@ pub fn drawings(desk: &mut Desk) -> Result<(), DeskError> {
     )?;
     desk.figure(
         "from_eye.svg",
-        "Rays from the eye: each meets the wall, and a line leads from there to the lamp. None is \
-         lost.",
+        "Twenty-four rays from the eye: each meets the wall, and a line leads from there to the lamp. \
+         None is lost.",
         from_eye()?,
     )
 }
@@ -56,9 +56,9 @@ pub fn chart(desk: &mut Desk, prices: &Prices) -> Result<(), DeskError> {
         Curve::measured(name, Style::MarksAndLine, points)
     };
     let chart = CurveChart {
-        title: "The same picture both ways".to_owned(),
+        title: "The same floor both ways".to_owned(),
         x_label: "rays traced".to_owned(),
-        y_label: "root mean square error of a pixel, W/(m² sr)".to_owned(),
+        y_label: "RMS error of a pixel, W/(m² sr)".to_owned(),
         x_axis: Axis::Log,
         y_axis: Axis::Log,
         curves: vec![
@@ -66,7 +66,8 @@ pub fn chart(desk: &mut Desk, prices: &Prices) -> Result<(), DeskError> {
             curve("from the eye", &prices.eye),
         ],
     };
-    let caption = "Both ways end at the same picture; from the light it takes many more rays.";
+    let caption = "The error of the pixels of the floor (bars: one standard error). Both lines have the slope \
+                   -1/2; the distance between them, along the axis of rays, is the price.";
     desk.figure("chart.svg", caption, chart.to_svg()?)
 }
 

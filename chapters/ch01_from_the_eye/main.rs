@@ -74,16 +74,7 @@ fn work(desk: &mut Desk) -> Result<Ledger, DeskError> {
     let reference = view.picture_by_eye(desk.choose(32_768, 4_096), seed + 1);
     let (doublings, replicates) = desk.choose((6, 8), (3, 4));
     let prices = prices::measure(&view, &reference.film, doublings, replicates, seed + 2);
-    let (ratio, error) = prices.ratio();
-    let says = "rays from the light for the error of one ray from the eye";
-    let price = Number::new(says, ratio);
-    desk.number(
-        "price",
-        Number {
-            error: Some(error),
-            ..price
-        },
-    );
+    prices::record(desk, &prices);
     figures::chart(desk, &prices)?;
 
     let variance = eye.film.sample_variance();

@@ -2,6 +2,7 @@
 //! number of rays.
 
 use crate::two_ways::TwoWays;
+use halfdisk::lab::chapter::{Desk, Number};
 use halfdisk::render::{Film, compare};
 use halfdisk::stats::Estimate;
 
@@ -10,7 +11,7 @@ use halfdisk::stats::Estimate;
 pub struct Measured {
     /// Rays traced for one picture.
     pub rays: u64,
-    /// Root mean square error of a pixel, over replicates.
+    /// Root mean square error of a pixel of the floor, over replicates.
     pub error: Estimate,
 }
 
@@ -24,14 +25,32 @@ pub struct Prices {
     /// Logarithm of the rays from the light that buy the error of one ray from the eye, one value
     /// for each pair of pictures.
     pub log_ratio: Estimate,
+    /// The same for the floor alone.
+    pub log_ratio_floor: Estimate,
 }
 
-impl Prices {
-    /// The ratio itself and its standard error.
-    pub fn ratio(&self) -> (f64, f64) {
-        let ratio = libm::exp(self.log_ratio.mean());
-        (ratio, ratio * self.log_ratio.std_error())
+/// Records both prices with their errors.
+pub fn record(desk: &mut Desk, prices: &Prices) {
+    let says = "rays from the light for the error of one ray from the eye";
+    for (name, says, log) in [
+        ("price", says, &prices.log_ratio),
+        (
+            "price_floor",
+            "  for the floor alone",
+            &prices.log_ratio_floor,
+        ),
+    ] {
+        let ratio = libm::exp(log.mean());
+        let error = Some(ratio * log.std_error());
+        let number = Number::new(says, ratio);
+        desk.number(name, Number { error, ..number });
     }
+}
+
+/// The part of a picture that shows the floor alone: no ray through it meets the lamp.
+fn floor(film: &Film) -> Film {
+    let height = film.height();
+    film.rows(3 * height / 5..height)
 }
 
 /// Renders both ways with `2^k` times as many rays for `k < doublings`, `replicates` times each
@@ -53,13 +72,19 @@ pub fn measure(
         for seed in seed..seed + replicates {
             let runs = [
                 view.picture_by_light(20_000 << k, seed),
-                view.picture_by_eye(1 << k, seed),
+                view.picture_by_eye(16 << k, seed),
             ];
-            let squares = runs
-                .each_ref()
-                .map(|run| compare::mse(&run.film.picture(), &reference.picture()));
-            let price = |i: usize| squares[i] * runs[i].rays as f64;
-            prices.log_ratio.add(libm::log(price(0) / price(1)));
+            let square =
+                |film: &Film, right: &Film| compare::mse(&film.picture(), &right.picture());
+            let whole = runs.each_ref().map(|run| square(&run.film, reference));
+            let right = floor(reference);
+            let squares = (runs.each_ref()).map(|run| square(&floor(&run.film), &right));
+            let ratio = |squares: [f64; 2]| {
+                let [light, eye] = [0, 1].map(|i| squares[i] * runs[i].rays as f64);
+                libm::log(light / eye)
+            };
+            prices.log_ratio.add(ratio(whole));
+            prices.log_ratio_floor.add(ratio(squares));
             for i in 0..2 {
                 rays[i] = runs[i].rays;
                 errors[i].add(squares[i].sqrt());

@@ -14,7 +14,7 @@ pub const PIXEL: [f32; 2] = [0.25, 0.64];
 const SPHERES: [(&str, f32, f32, f64); 3] = [
     ("glass", -0.75, -6.0, 0.9),
     ("mirror", 1.5, -8.2, 1.1),
-    ("dull", -2.4, -9.0, 0.7),
+    ("diffuse", -2.4, -9.0, 0.7),
 ];
 
 /// Weights below this share are left out of the drawings.
@@ -22,9 +22,19 @@ const FAINT: f64 = 0.002;
 
 /// One pixel's tree: as a tree, and as rays seen from above.
 pub fn one_tree(desk: &mut Desk, record: &TreeRecord) -> Result<(), DeskError> {
-    let caption = "The ray tree of one pixel at the edge of the glass sphere. The weights say how \
-                   much of a ray's light reaches the eye.";
-    desk.figure("tree.svg", caption, tree(record)?)?;
+    let deepest = record.rays.iter().map(|ray| ray.node.depth).max();
+    let last = record
+        .rays
+        .iter()
+        .filter(|ray| Some(ray.node.depth) == deepest);
+    let most = last.map(|ray| ray.node.weight).fold(0.0, f64::max);
+    let caption = format!(
+        "The ray tree of one pixel at the rim of the glass sphere. Each split shares the light between \
+         reflection (blue) and refraction (orange). After {} levels no branch carries more than {:.1} % of it.",
+        deepest.unwrap_or(0),
+        100.0 * most
+    );
+    desk.figure("tree.svg", &caption, tree(record)?)?;
     let caption = "The same rays from above: the one from the eye enters at the bottom, the circles \
                    are the three spheres.";
     desk.figure("plan.svg", caption, plan(record)?)

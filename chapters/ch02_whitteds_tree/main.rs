@@ -4,6 +4,7 @@
 //! New here: `integrators::Whitted`. Simulates `LD?S*E`. Builds on: chapter 1 (rays from the eye).
 
 mod figures;
+mod interface;
 
 use glam::Vec3;
 use halfdisk::color::Rgb;
@@ -30,7 +31,7 @@ fn work(desk: &mut Desk) -> Result<Ledger, DeskError> {
     // The picture, and the tree of one of its pixels.
     let scene = gallery::load("whitted")?;
     let picture = whole(desk, &scene, scene.suggested.max_depth)?;
-    let caption = "A glass, a mirror and a dull sphere, by shadow, mirror and glass rays alone.";
+    let caption = "A glass, a mirror and a diffuse sphere, by shadow, mirror and glass rays alone.";
     desk.picture("image.png", caption, &picture.film, &scene)?;
     let mut record = TreeRecord::default();
     let [s, t] = figures::PIXEL;
@@ -38,6 +39,8 @@ fn work(desk: &mut Desk) -> Result<Ledger, DeskError> {
     let says = "rays in the tree of one pixel, seven segments deep";
     desk.value("tree_rays", says, record.rays.len() as f64);
     figures::one_tree(desk, &record)?;
+
+    interface::drawings(desk)?;
 
     // ANCHOR: splitter
     // Sheets of glass in which every ray splits: 1, 2, 4, 8 … rays, of the same weight in all.

@@ -6,6 +6,7 @@
 
 mod figures;
 mod plane_world;
+mod radiometry;
 
 use halfdisk::flatland::{FlatHit, FlatWorld, exact, load};
 use halfdisk::lab::chapter::{Chapter, Desk, DeskError};
@@ -16,7 +17,6 @@ use halfdisk::lab::experiment::named;
 use halfdisk::lab::ledger::Ledger;
 use halfdisk::lab::mistakes::{self, Exam};
 use halfdisk::space::Dimension;
-use halfdisk::stats::z_test::Largest;
 use std::f64::consts::{FRAC_2_PI, PI};
 use std::process::ExitCode;
 
@@ -32,13 +32,14 @@ fn main() -> ExitCode {
 
 fn work(desk: &mut Desk) -> Result<Ledger, DeskError> {
     let seed = desk.options.seed;
+    radiometry::drawings(desk)?;
     figures::drawings(desk)?;
 
     // What each slip reads under a white sky, where the answer is the albedo.
     let gathers = desk.choose(400_000, 40_000);
     figures::readings(desk, gathers);
 
-    let mut compared = Largest::default();
+    let mut compared = radiometry::numbers(desk);
     // ANCHOR: lamp
     // A lamp over a floor: the essay's formula as it stands, and the seven steps.
     let lamp = load("lamp")?;

@@ -6,6 +6,7 @@
 
 mod angles;
 mod figures;
+mod inversion;
 mod slopes;
 
 use halfdisk::lab::chapter::{Chapter, Desk, DeskError, Number};
@@ -37,6 +38,7 @@ fn work(desk: &mut Desk) -> Result<Ledger, DeskError> {
     let solid = angles::work(desk, angles::solid(), "solid", 2.0 / 3.0);
     figures::angles(desk, &flat.0, &solid.0)?;
     figures::points(desk)?;
+    inversion::drawings(desk)?;
 
     // How fast the error falls, with and without strata.
     let spent = slopes::work(desk)?;

@@ -20,22 +20,27 @@ pub fn pictures(desk: &mut Desk, scene: &Scene, films: &[Rendered]) -> Result<()
     let [direct, one, two, all] = films else {
         return Err(DeskError::Missing("four pictures".to_owned()));
     };
-    desk.picture("direct.png", "Direct light.", &direct.film, scene)?;
+    desk.picture(
+        "direct.png",
+        "Direct light: the ceiling is black.",
+        &direct.film,
+        scene,
+    )?;
     let added = difference(&one.film, &direct.film);
     desk.picture(
         "one.png",
-        "What one bounce between walls adds.",
+        "One bounce between walls adds the ceiling, and colour beside the coloured walls.",
         &added,
         scene,
     )?;
     let added = difference(&two.film, &one.film);
-    desk.picture("two.png", "What a second bounce adds.", &added, scene)?;
     desk.picture(
-        "all.png",
-        "Up to three bounces, together.",
-        &all.film,
+        "two.png",
+        "A second bounce adds about half as much, and is softer.",
+        &added,
         scene,
     )?;
+    desk.picture("all.png", "Up to three bounces together.", &all.film, scene)?;
     for (k, pair) in films.windows(2).enumerate() {
         let ((less, error), (more, error_more)) = (pair[0].film.mean(), pair[1].film.mean());
         let says = format!("mean of the picture: what bounce {} adds", k + 1);
@@ -87,7 +92,7 @@ pub fn bleeding(desk: &mut Desk, scene: &Scene, walks: u32) -> Result<u64, DeskE
             let towards = Ray::new(Vec3::new(x - 278.0, 430.0 - 278.0, 1300.0), Vec3::Z);
             let (ratio, error, traced) =
                 red_over_green(scene, &walk, &towards, walks, desk.options.seed);
-            points.push((f64::from(x), ratio, error));
+            points.push((f64::from(555.0 - x), ratio, error));
             rays += traced;
         }
         if let (Some(red), Some(green)) = (points.first(), points.last()) {
@@ -104,12 +109,14 @@ pub fn bleeding(desk: &mut Desk, scene: &Scene, walks: u32) -> Result<u64, DeskE
     }
     let chart = CurveChart {
         title: "Red over green on the white back wall".to_owned(),
-        x_label: "x: from the red wall at 0 to the green one at 555".to_owned(),
-        y_label: "ratio of the radiances".to_owned(),
+        x_label: "distance from the green wall, left in the pictures; the red one is at 555"
+            .to_owned(),
+        y_label: "red over green (bars: one standard error)".to_owned(),
         curves,
         ..CurveChart::default()
     };
-    let caption = "Light by way of the coloured walls tinges the white one between them.";
+    let caption = "Along the white back wall, from the green wall to the red one, as in the pictures. Direct light has the \
+                   same colour everywhere; each bounce tinges the wall beside its coloured neighbour.";
     desk.figure("bleeding.svg", caption, chart.to_svg()?)?;
     Ok(rays)
 }
@@ -166,7 +173,9 @@ pub fn growth(desk: &mut Desk, seed: u64) -> Result<(), DeskError> {
             .rays() as f64
         };
         let points = (0..=6).map(move |depth| (f64::from(depth), rays(depth)));
-        Curve::new(format!("{samples} directions"), Style::MarksAndLine, points)
+        let plural = if samples == 1 { "" } else { "s" };
+        let name = format!("{samples} direction{plural}");
+        Curve::new(name, Style::MarksAndLine, points)
     };
     let chart = CurveChart {
         title: "Rays for one look at one pixel".to_owned(),
@@ -176,7 +185,7 @@ pub fn growth(desk: &mut Desk, seed: u64) -> Result<(), DeskError> {
         y_axis: Axis::Log,
         curves: vec![tree(64), tree(16), tree(4), tree(1)],
     };
-    let caption = "The tree of N directions at each surface grows as the power of the depth; with \
-                   one direction it is a path.";
+    let caption = "Rays of one tree. With N directions at each surface the line rises by the factor N for each further \
+                   bounce; with one direction it is a path.";
     desk.figure("chart.svg", caption, chart.to_svg()?)
 }

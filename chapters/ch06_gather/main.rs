@@ -5,6 +5,7 @@
 //! Builds on: chapters 4 and 5 (the same source in the flat world; directions).
 
 mod figures;
+mod rate;
 
 use glam::Vec3;
 use halfdisk::lab::chapter::{Chapter, Desk, DeskError};
@@ -33,7 +34,7 @@ fn main() -> ExitCode {
 fn work(desk: &mut Desk) -> Result<Ledger, DeskError> {
     let seed = desk.options.seed;
     // The Cornell box with four directions at each surface, up to three bounces between walls.
-    let scene = gallery::load("cornell")?.sized([96, 96]);
+    let scene = gallery::load("cornell")?.sized([desk.choose(160, 96); 2]);
     let mut pictures = Vec::new();
     for depth in 0..=3 {
         pictures.push(picture(desk, &scene, depth)?);
@@ -73,6 +74,7 @@ fn work(desk: &mut Desk) -> Result<Ledger, DeskError> {
     }
 
     figures::growth(desk, seed)?;
+    let in_trees = rate::chart(desk)?;
 
     let last = pictures
         .pop()
@@ -81,7 +83,7 @@ fn work(desk: &mut Desk) -> Result<Ledger, DeskError> {
     let per_sample = rays.total() as f64 / rays.camera.max(1) as f64;
     let drawn: u64 = pictures.iter().map(|p| p.rays.total()).sum();
     Ok(Ledger {
-        rays: drawn + rays.total() + bleeding + 3 * u64::from(samples),
+        rays: drawn + rays.total() + bleeding + 3 * u64::from(samples) + in_trees,
         variance: Some(variance),
         compared: Some(compared.into()),
         efficiency: Some(1.0 / (variance * per_sample)),

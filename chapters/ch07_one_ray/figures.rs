@@ -7,17 +7,16 @@ use halfdisk::flatland;
 use halfdisk::integrators::world::Lights;
 use halfdisk::integrators::{Kajiya, NextEvent};
 use halfdisk::lab::chapter::{Desk, DeskError, Number};
-use halfdisk::lab::drawing::{Dot, HALF, RayDrawing, Stroke, StrokeKind};
+use halfdisk::lab::drawing::{Axis, Dot, HALF, HeatMap, RayDrawing, Stroke, StrokeKind};
 use halfdisk::lab::estimators::directions::Recipe;
 use halfdisk::lab::estimators::gather::Gather;
 use halfdisk::lab::figures::{flat, walk::Watched};
-use halfdisk::render::{Film, Pixel};
+use halfdisk::render::Pixel;
 use halfdisk::sampling::stream::Stream;
 use halfdisk::scene::read::Source;
 use halfdisk::scene::{Scene, gallery};
 use halfdisk::space::{Flat, Ray};
 use halfdisk::stats::Estimate;
-use std::iter::once;
 
 /// Directions at each surface of the tree.
 const BRANCHES: usize = 16;
@@ -88,17 +87,19 @@ pub fn tree_and_path(desk: &mut Desk) -> Result<(), DeskError> {
 pub fn forty_paths(desk: &mut Desk, scene: &Scene) -> Result<u64, DeskError> {
     let max_depth = scene.suggested.max_depth;
     let found = picture(desk, scene, &NextEvent { max_depth }, desk.spp(40, 4), 0)?;
-    let sigma = found.film.pixels().iter().map(|pixel| Pixel {
-        channels: pixel
-            .channels
-            .map(|c| once(c.variance().sqrt()).collect::<Estimate>()),
-        ..Pixel::default()
-    });
-    let sigma = Film::new(found.film.width(), sigma.collect());
     let caption = "The box by forty paths for each pixel.";
     desk.picture("forty.png", caption, &found.film, scene)?;
-    let caption = "The standard deviation of one path, in each pixel, as brightness.";
-    desk.picture("sigma.png", caption, &sigma, scene)?;
+    let deviation = |pixel: &Pixel| pixel.channels[1].variance().sqrt();
+    let sigma = HeatMap {
+        title: "Noise of one path".to_owned(),
+        label: "standard deviation, W/(m² sr)".to_owned(),
+        width: found.film.width(),
+        values: found.film.pixels().iter().map(deviation).collect(),
+        axis: Axis::Log,
+    };
+    let caption = "The standard deviation of one path, pixel by pixel, of the green channel: largest where \
+                   the lamp is near, and where shadows are half.";
+    desk.figure("sigma.svg", caption, sigma.to_svg_at(HALF)?)?;
     let each = found.rays.total() as f64 / found.rays.camera.max(1) as f64;
     desk.value(
         "forty_rays",

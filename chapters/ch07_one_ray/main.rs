@@ -6,6 +6,7 @@
 
 mod compare;
 mod figures;
+mod rate;
 mod split;
 
 use glam::Vec2;
@@ -37,10 +38,11 @@ fn work(desk: &mut Desk) -> Result<Ledger, DeskError> {
     figures::tree_and_path(desk)?;
     let mut compared = Largest::default();
     let (z_room, variance, rays_room) = room(desk)?;
+    rate::chart(desk, variance)?;
     let (z_tree, rays_tree) = compare::tree_and_paths(desk)?;
     [z_room, z_tree].into_iter().for_each(|z| compared.add(z));
     let rays_split = compare::splitting(desk)?;
-    let side = desk.choose(160, 48);
+    let side = desk.choose(240, 48);
     let scene = gallery::load("cornell")?.sized([side; 2]);
     let rays_forty = figures::forty_paths(desk, &scene)?;
     let rays_noise = figures::noise(desk, desk.choose(8, 6))?;

@@ -3,6 +3,7 @@
 use crate::RULES;
 use crate::figures::{self, KINDS, kind, z};
 use crate::mixed_furnace::MixedFurnace;
+use crate::rate;
 use halfdisk::color::Rgb;
 use halfdisk::lab::chapter::{Desk, DeskError, Number};
 use halfdisk::materials::{Choice, Mixture};
@@ -115,7 +116,7 @@ pub fn variances(desk: &mut Desk) -> Result<Largest, DeskError> {
     let (seed, draws) = (desk.options.seed, desk.choose(2_500, 500));
     let mut groups = Vec::new();
     let mut compared = Largest::default();
-    for (id, title, mixture) in mixtures {
+    for &(id, title, mixture) in &mixtures {
         let mut bars = Vec::new();
         for (choice, name, called) in RULES {
             let room = room(mixture, choice, 1);
@@ -145,6 +146,7 @@ pub fn variances(desk: &mut Desk) -> Result<Largest, DeskError> {
         groups.push(figures::group(title, &bars));
     }
     figures::bars(desk, groups)?;
+    rate::chart(desk, mixtures[1].2)?;
     Ok(compared)
 }
 

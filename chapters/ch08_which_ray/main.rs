@@ -7,6 +7,7 @@
 mod figures;
 mod furnaces;
 mod mixed_furnace;
+mod rate;
 
 use figures::z;
 use halfdisk::integrators::{Integrator, WhichRay};
@@ -42,10 +43,8 @@ fn work(desk: &mut Desk) -> Result<Ledger, DeskError> {
     let seed = desk.options.seed;
     // The picture, and which ray each of its pixels would follow first.
     let scene = gallery::load("mixture")?;
-    let which = |choice| WhichRay {
-        max_depth: scene.suggested.max_depth,
-        choice,
-    };
+    let max_depth = scene.suggested.max_depth;
+    let which = |choice| WhichRay { max_depth, choice };
     let whole = picture(desk, &scene, &which(Choice::ByMean), desk.spp(48, 2), seed)?;
     let caption = "Three materials in the corners, each two halved between them, all three in the \
                    middle.";

@@ -5,8 +5,10 @@
 //! Builds on: chapters 4 to 6 (the half disk, densities, direct light) and 7 (the walk).
 
 mod figures;
+mod geometry_term;
 mod lamps;
 mod pick_one;
+mod rate;
 mod shrinking_lamp;
 
 use halfdisk::lab::chapter::{Chapter, Desk, DeskError};
@@ -30,7 +32,10 @@ fn work(desk: &mut Desk) -> Result<Ledger, DeskError> {
     let finds = desk.choose(25_000.0, 4_000.0);
     let (of_sweep, rays_sweep) = figures::sweep(desk, finds)?;
 
+    rate::chart(desk)?;
+
     // What aiming is, in the plane and in the box.
+    geometry_term::drawing(desk)?;
     figures::shadow_rays(desk)?;
     let rays_boxes = figures::boxes(desk)?;
 

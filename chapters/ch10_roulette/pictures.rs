@@ -4,10 +4,10 @@ use halfdisk::color::Rgb;
 use halfdisk::geometry::Ray;
 use halfdisk::integrators::{Integrator, Kajiya, Roulette, Survival};
 use halfdisk::lab::chapter::{Desk, DeskError, Number};
-use halfdisk::render::{Film, Options, Pixel, Rendered, render};
+use halfdisk::lab::drawing::{Axis, HeatMap};
+use halfdisk::render::{Options, Pixel, Rendered, render};
 use halfdisk::sampling::stream::Stream;
 use halfdisk::scene::{Scene, Tracer, gallery};
-use halfdisk::stats::Estimate;
 
 /// The rays of a walk, in place of its light.
 struct Segments(Roulette);
@@ -101,47 +101,27 @@ fn heat_map(desk: &mut Desk, roulette: Roulette) -> Result<u64, DeskError> {
     let scene = gallery::load("cornell")?.sized([side; 2]);
     let lengths = paint(desk, &scene, &Segments(roulette))?;
     let hottest = lengths.film.max();
-    // A whole number, so that no single pixel decides about the colours of all.
-    let white = hottest.ceil();
-    let pixels = lengths.film.pixels().iter().map(|pixel| {
-        let share = (pixel.channels[0].mean() - 1.0) / (white - 1.0);
-        let colour = |x: f64| -> Estimate { std::iter::once(x).collect() };
-        Pixel {
-            channels: heat(share).map(colour),
-            ..Pixel::default()
-        }
-    });
-    let map = Film::new(lengths.film.width(), pixels.collect());
-    let caption = format!(
-        "Mean number of segments of a walk: from 1 (black: the lamp, and what lies outside) by blue, \
-         red and yellow to {white} (white)."
-    );
-    desk.picture("depths.png", &caption, &map, &scene)?;
+    let mean_of = |pixel: &Pixel| pixel.channels[0].mean();
+    let map = HeatMap {
+        title: "Segments of a walk".to_owned(),
+        label: "segments, mean".to_owned(),
+        width: lengths.film.width(),
+        values: lengths.film.pixels().iter().map(mean_of).collect(),
+        axis: Axis::Linear,
+    };
+    let caption = "Mean number of segments of a walk, pixel by pixel: one where it ends at once (the lamp, and \
+                   what lies outside), three and more on the white walls and blocks.";
+    desk.figure("depths.svg", caption, map.to_svg_at(432)?)?;
     let (mean, error) = lengths.film.mean();
     let number = Number::new("segments of a walk, mean over the picture", mean);
     let error = Some(error);
     desk.number("depths_mean", Number { error, ..number });
     desk.value(
         "depths_most",
-        "segments of a walk, where they are longest",
+        "mean segments of a walk, in the pixel where they are longest",
         hottest,
     );
     Ok(lengths.rays.total())
-}
-
-/// Black, blue, red, yellow, white.
-fn heat(share: f64) -> [f64; 3] {
-    const RAMP: [[f64; 3]; 5] = [
-        [0.0, 0.0, 0.0],
-        [0.02, 0.03, 0.35],
-        [0.6, 0.03, 0.1],
-        [0.95, 0.6, 0.05],
-        [1.0, 1.0, 0.95],
-    ];
-    let place = share.clamp(0.0, 1.0) * 4.0;
-    let step = (place as usize).min(3);
-    let rest = place - step as f64;
-    [0, 1, 2].map(|i| RAMP[step][i] * (1.0 - rest) + RAMP[step + 1][i] * rest)
 }
 
 fn paint(desk: &Desk, scene: &Scene, by: &impl Integrator) -> Result<Rendered, DeskError> {

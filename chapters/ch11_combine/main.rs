@@ -6,6 +6,7 @@
 
 mod figures;
 mod plates;
+mod rate;
 mod readings;
 mod sweep;
 
@@ -28,6 +29,7 @@ fn work(desk: &mut Desk) -> Result<Ledger, DeskError> {
     let sweep = sweep::work(desk)?;
     figures::sweep(desk, &sweep)?;
     sweep::by_length(desk);
+    rate::chart(desk)?;
 
     // Four lamps over four plates in space.
     let drawn = plates::work(desk)?;

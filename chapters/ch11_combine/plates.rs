@@ -9,13 +9,14 @@ use halfdisk::sampling::mis::Heuristic;
 use halfdisk::sampling::stream::Stream;
 use halfdisk::scene::{Scene, Tracer, gallery};
 
-/// Red for what chance found, green for what aiming found.
+/// Orange for what chance found, blue for what aiming found.
 struct ByTechnique(Combine);
 
 impl Integrator for ByTechnique {
     fn li(&self, tracer: &mut Tracer, ray: &Ray, stream: &Stream) -> Rgb {
         let shares = self.0.walk(tracer, ray, stream);
-        Rgb::new(shares.by_chance.mean(), shares.by_aiming.mean(), 0.0)
+        let (orange, blue) = (Rgb::new(1.0, 0.42, 0.03), Rgb::new(0.04, 0.3, 1.0));
+        orange * shares.by_chance.mean() + blue * shares.by_aiming.mean()
     }
 }
 
@@ -75,8 +76,8 @@ pub fn work(desk: &mut Desk) -> Result<u64, DeskError> {
         rays += rendered.rays.total();
     }
     let weighted = paint(desk, &scene, &ByTechnique(power))?;
-    let caption = "Who found it: light by chance in red, by aiming in green. The lamps themselves \
-                   are red, for nobody aims from the eye.";
+    let caption = "Which technique counted: by chance orange, by aiming blue. The lamps themselves are orange, because \
+                   no shadow ray leaves the eye.";
     desk.picture("weights.png", caption, &weighted.film, &scene)?;
     Ok(rays + weighted.rays.total())
 }

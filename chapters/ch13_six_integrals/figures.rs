@@ -4,7 +4,7 @@
 use crate::profiles::{Profile, Reading};
 use halfdisk::integrators::{Distributed, Integral};
 use halfdisk::lab::chapter::{Desk, DeskError};
-use halfdisk::lab::drawing::{Curve, CurveChart, Style};
+use halfdisk::lab::drawing::{Curve, CurveChart, HALF, Style};
 use halfdisk::render::{Options, render};
 use halfdisk::scene::description::{Material, Sky};
 use halfdisk::scene::gallery;
@@ -19,6 +19,18 @@ pub fn name(integral: Integral) -> &'static str {
         Integral::Time => "time",
         Integral::Gloss => "gloss",
         Integral::Hemisphere => "hemisphere",
+    }
+}
+
+/// What an integral changes in the picture, and where to look.
+pub fn look(integral: Integral) -> &'static str {
+    match integral {
+        Integral::Pixel => "Pixel only: the jagged edges become smooth.",
+        Integral::Light => "Light only: shadows get soft rims, wider the farther they fall.",
+        Integral::Lens => "Lens only: things before and behind the focus blur.",
+        Integral::Time => "Time only: what moves leaves a trail.",
+        Integral::Gloss => "Gloss only: the rough mirror shows blurred images.",
+        Integral::Hemisphere => "Hemisphere only: light from all around fills the shadows.",
     }
 }
 
@@ -38,8 +50,8 @@ pub fn profiles(desk: &mut Desk, rows: &[(Profile, Vec<Reading>)]) -> Result<(),
         let points = row.iter().map(|r| (place(r), r.read.mean(), r.error));
         let law = row.iter().map(|r| (place(r), r.exact));
         let label = match profile.integral {
-            Integral::Gloss => "energy of a lobe, against its roughness",
-            Integral::Hemisphere => "sky by a wall, against the distance",
+            Integral::Gloss => "measured",
+            Integral::Hemisphere => "measured",
             other => name(other),
         };
         let curves = if side_by_side.is_some() {
@@ -47,9 +59,18 @@ pub fn profiles(desk: &mut Desk, rows: &[(Profile, Vec<Reading>)]) -> Result<(),
         } else {
             &mut others
         };
-        let colour = curves.len() / 2;
+        let colour = if side_by_side.is_some() {
+            curves.len() / 2
+        } else {
+            0
+        };
         curves.push(Curve::measured(label, Style::Marks, points).coloured(colour));
-        curves.push(Curve::new("", Style::Dashed, law).coloured(colour));
+        let law_name = if side_by_side.is_some() {
+            ""
+        } else {
+            "closed form"
+        };
+        curves.push(Curve::new(law_name, Style::Dashed, law).coloured(colour));
     }
     let chart = |title: &str, x_label: &str, y_label: &str, curves| CurveChart {
         title: title.to_owned(),
@@ -64,18 +85,31 @@ pub fn profiles(desk: &mut Desk, rows: &[(Profile, Vec<Reading>)]) -> Result<(),
         "radiance",
         edges,
     );
-    let caption = "A slanted edge, a penumbra, an edge out of focus and an edge in motion; dashed the \
-                   closed forms.";
+    let caption = "Four rows of pixels across an edge: slanted, in penumbra, out of focus, in motion. Dots are measured; \
+                   dashed, the closed forms they must follow.";
     desk.figure("edges.svg", caption, edges.to_svg()?)?;
-    let others = chart(
-        "Gloss and the sky, by one direction a sample",
-        "roughness; distance from the wall in its heights",
-        "share of the light of a white sky",
-        others,
-    );
-    let caption = "What a rough mirror sends back, and what the ground by a wall receives; dashed the \
-                   closed forms.";
-    desk.figure("chart.svg", caption, others.to_svg()?)
+    for (file, title, x_label, place, caption) in [
+        (
+            "lobe.svg",
+            "What a rough mirror sends back",
+            "roughness α",
+            0,
+            "Energy of the GGX lobe under a white sky: at α = 1 the share 1 - ln 2 is left, because facets \
+             shadow each other.",
+        ),
+        (
+            "wall.svg",
+            "The sky beside a wall",
+            "distance from the wall, in its heights",
+            2,
+            "At the foot of a wall without end half of the sky is left.",
+        ),
+    ] {
+        let both = others.iter().skip(place).take(2).cloned().collect();
+        let chart = chart(title, x_label, "share of a white sky", both);
+        desk.figure(file, caption, chart.to_svg_at(HALF)?)?;
+    }
+    Ok(())
 }
 
 /// Rays of a sample up to the first surface, counted: a camera ray, a shadow ray, one ray more.
@@ -136,7 +170,8 @@ pub fn occlusion(desk: &mut Desk) -> Result<u64, DeskError> {
         &options,
         &desk.bar("sky"),
     );
-    let caption = "Ambient occlusion: chalk under a white sky, by one ray from each surface.";
+    let caption = "Ambient occlusion: the same scene in chalk under a white sky. Corners and the ground beside things are dark, \
+                   because less of the sky is seen from there.";
     desk.picture("occlusion.png", caption, &rendered.film, &scene)?;
     Ok(rendered.rays.total())
 }

@@ -7,6 +7,7 @@
 
 mod figures;
 mod profiles;
+mod rate;
 
 use halfdisk::integrators::{Distributed, Integral};
 use halfdisk::lab::chapter::{Chapter, Desk, DeskError, Number};
@@ -58,6 +59,7 @@ fn work(desk: &mut Desk) -> Result<Ledger, DeskError> {
         rows.push((profile, row));
     }
     figures::profiles(desk, &rows)?;
+    rate::chart(desk, &Profile::all())?;
     let smooth = lobe_energy(1.0);
     desk.known("lobe", "energy of the roughest lobe", smooth, 1.0 - LN_2);
 
@@ -71,24 +73,28 @@ fn work(desk: &mut Desk) -> Result<Ledger, DeskError> {
     compared.add(cone.z(PI / 4.0));
 
     // The same scene without any integral, with each alone, and with all.
-    let scene = gallery::load("six")?.sized([160, 120]);
+    let scene = gallery::load("six")?.sized(desk.choose([320, 240], [160, 120]));
     let none = picture(desk, &scene, Integral::NONE, 1)?;
-    let text = "No integral: one ray through the middle of everything.";
+    let text = "No integral: jagged edges, hard shadows, all in focus.";
     desk.picture("none.png", text, &none.film, &scene)?;
     let mut sum = 0.0;
-    let spp = desk.spp(16, 2);
     for integral in Integral::ALL {
-        let only = picture(desk, &scene, integral.others(), spp)?;
+        let only = picture(desk, &scene, integral.others(), desk.spp(16, 2))?;
         let name = figures::name(integral);
-        let caption = format!("Only the {name}.");
-        desk.picture(&format!("{name}.png"), &caption, &only.film, &scene)?;
+        let caption = figures::look(integral);
+        desk.picture(&format!("{name}.png"), caption, &only.film, &scene)?;
         sum += cost(desk, name, &only);
         drawn += only.rays.total();
     }
     let once = picture(desk, &scene, &[], 1)?;
-    desk.picture("once.png", "All six, one sample.", &once.film, &scene)?;
+    desk.picture(
+        "once.png",
+        "All six with one sample: noise, and right in the mean.",
+        &once.film,
+        &scene,
+    )?;
     let all = picture(desk, &scene, &[], desk.spp(64, 2))?;
-    desk.picture("all.png", "All six.", &all.film, &scene)?;
+    desk.picture("all.png", "All six with 64 samples.", &all.film, &scene)?;
     cost(desk, "none", &none);
     let variance = cost(desk, "all", &all);
     desk.value("variance_sum", "variances one by one, added up", sum);
@@ -111,11 +117,8 @@ fn work(desk: &mut Desk) -> Result<Ledger, DeskError> {
 /// The variance of a sample and the rays it takes.
 fn cost(desk: &mut Desk, name: &str, rendered: &Rendered) -> f64 {
     let rays = rendered.rays.total() as f64 / rendered.rays.camera.max(1) as f64;
-    desk.value(
-        &format!("rays_{name}"),
-        &format!("{name}: rays a sample"),
-        rays,
-    );
+    let says = format!("{name}: rays a sample");
+    desk.value(&format!("rays_{name}"), &says, rays);
     let variance = rendered.film.sample_variance();
     // One sample of a picture has no scatter to tell, but nothing was drawn for this one.
     let variance = if name == "none" { 0.0 } else { variance };

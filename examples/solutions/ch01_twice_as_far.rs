@@ -1,4 +1,4 @@
-//! Chapter 1, exercise 1: the slit and the disc at twice the distance.
+//! Chapter 1, exercise 2: the slit and the disc at twice the distance.
 //!
 //! The slit fills an angle, which falls with the distance; the disc fills a solid angle, which
 //! falls with its square. So the counts fall to about a half and about a quarter.

@@ -1,4 +1,4 @@
-//! Chapter 2, exercise 1: stop following rays of small weight; measure what it saves and costs.
+//! Chapter 2, exercise 2: stop following rays of small weight; measure what it saves and costs.
 //!
 //! The integrator below is Whitted's with one more condition. It uses the library's scene,
 //! materials and random numbers, so both pictures are of the same samples, and their difference is

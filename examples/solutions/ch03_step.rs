@@ -1,4 +1,4 @@
-//! Chapter 3, exercise 1: a function with a jump, by random points and by a grid.
+//! Chapter 3, exercise 2: a function with a jump, by random points and by a grid.
 //!
 //! The error of random points falls with the power -1/2, jump or not. A grid only errs in the step
 //! that holds the jump, by less than that step: its power is -1, where it is -2 for smooth

@@ -1,8 +1,8 @@
-//! Chapter 4, exercise 1: five broken estimators, named by what the furnace reads.
+//! Chapter 4, exercise 2: five broken estimators, named by what the furnace reads.
 //!
 //! Each gathers the light of a white sky over a surface of the flat world, and each is wrong in one
 //! way. The doctor asks it about several surfaces and compares the readings with those of the
-//! classic mistakes.
+//! classic mistakes. The answers stand below `main`: find them first.
 
 #![allow(clippy::print_stdout)]
 
@@ -13,16 +13,7 @@ use std::f32::consts::PI;
 
 type Broken = fn(&mut Patient<Flat>) -> f32;
 
-/// The estimators, and what is wrong with each.
-const BROKEN: [(&str, Broken, &str); 5] = [
-    ("A", a, "formula as printed"),
-    ("B", b, "cosine of the sampled angle"),
-    ("C", c, "one term too many"),
-    ("D", d, "cosine twice"),
-    ("E", e, "density forgotten"),
-];
-
-/// Colour times cosine, averaged.
+/// Estimator A.
 fn a(p: &mut Patient<Flat>) -> f32 {
     let mut sum = 0.0;
     for _ in 0..p.samples {
@@ -32,7 +23,7 @@ fn a(p: &mut Patient<Flat>) -> f32 {
     p.albedo * sum / p.samples as f32
 }
 
-/// The right constants, and the cosine of the angle that was drawn from the tangent.
+/// Estimator B.
 fn b(p: &mut Patient<Flat>) -> f32 {
     let mut sum = 0.0;
     for _ in 0..p.samples {
@@ -42,7 +33,7 @@ fn b(p: &mut Patient<Flat>) -> f32 {
     p.albedo * 0.5 * PI * sum / p.samples as f32
 }
 
-/// The sum of the essay, from 0 to N.
+/// Estimator C.
 fn c(p: &mut Patient<Flat>) -> f32 {
     let mut sum = 0.0;
     for _ in 0..=p.samples {
@@ -52,7 +43,7 @@ fn c(p: &mut Patient<Flat>) -> f32 {
     p.albedo * 0.5 * PI * sum / p.samples as f32
 }
 
-/// Directions that know the cosine already, and the cosine.
+/// Estimator D.
 fn d(p: &mut Patient<Flat>) -> f32 {
     let mut sum = 0.0;
     for _ in 0..p.samples {
@@ -62,7 +53,7 @@ fn d(p: &mut Patient<Flat>) -> f32 {
     p.albedo * sum / p.samples as f32
 }
 
-/// Everything but the density of the directions.
+/// Estimator E.
 fn e(p: &mut Patient<Flat>) -> f32 {
     let mut sum = 0.0;
     for _ in 0..p.samples {
@@ -84,6 +75,15 @@ fn main() {
         );
     }
 }
+
+/// The estimators, and what is wrong with each.
+const BROKEN: [(&str, Broken, &str); 5] = [
+    ("A", a, "formula as printed"),
+    ("B", b, "cosine of the sampled angle"),
+    ("C", c, "one term too many"),
+    ("D", d, "cosine twice"),
+    ("E", e, "density forgotten"),
+];
 
 #[cfg(test)]
 mod tests {

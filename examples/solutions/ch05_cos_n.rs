@@ -1,4 +1,4 @@
-//! Chapter 5, exercise 1: directions of density proportional to a power of the cosine, and a test
+//! Chapter 5, exercise 3: directions of density proportional to a power of the cosine, and a test
 //! that tells them from those of another power.
 //!
 //! On the hemisphere the angle from the normal has the distribution function `1 - cosⁿ⁺¹ θ`, which

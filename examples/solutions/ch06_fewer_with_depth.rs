@@ -1,4 +1,4 @@
-//! Chapter 6, exercise 1: fewer directions at deeper surfaces.
+//! Chapter 6, exercise 2: fewer directions at deeper surfaces.
 //!
 //! Each surface averages over however many directions it has, so the mean stays right: no bias.
 //! What changes are the variance and the rays. The deep levels have the most rays and the least

@@ -1,4 +1,4 @@
-//! Chapter 7, exercise 1: how many paths for each ray from the eye?
+//! Chapter 7, exercise 2: how many paths for each ray from the eye?
 //!
 //! A sample of `s` paths has the variance `V1 + V2 / s`, where `V1` is what the ray from the eye
 //! decides, and costs `c + s r`: `c` for that ray, `r` for the rays of each path. Variance times

@@ -1,4 +1,4 @@
-//! Chapter 8, exercise 1: a golden mirror on red paint, chosen by luminance.
+//! Chapter 8, exercise 2: a golden mirror on red paint, chosen by luminance.
 //!
 //! The luminance gives one probability for all three channels; the weight `k/p` is then a colour.
 //! Each channel of each part must come out as its own share in the mean. One weight for all

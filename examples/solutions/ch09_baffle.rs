@@ -1,4 +1,4 @@
-//! Chapter 9, exercise 1: a lamp behind a baffle.
+//! Chapter 9, exercise 2: a lamp behind a baffle.
 //!
 //! A baffle that hides part of the lamp makes shadow rays fail, and chance fails with them: the
 //! walk that would have met the hidden part meets the baffle, too. The second moment of both grows

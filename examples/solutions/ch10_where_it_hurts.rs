@@ -1,4 +1,4 @@
-//! Chapter 10, exercise 1: survival by what a path carries, where it pays, and where it hurts.
+//! Chapter 10, exercise 2: survival by what a path carries, where it pays, and where it hurts.
 //!
 //! In a room whose walls are dark and light, a path that was just dimmed is worth less work than one
 //! that was not. On a dark floor under a bright sky the path has one segment left, and that one is

@@ -1,4 +1,4 @@
-//! Chapter 11, exercise 1: the density of aiming is 7 % off. Which test notices?
+//! Chapter 11, exercise 2: the density of aiming is 7 % off. Which test notices?
 //!
 //! It depends on where the density is used. As the divisor of an estimate it must be that of the
 //! samples. In a weight it need only be the same in both: then the weights still add up to one, the

@@ -1,4 +1,4 @@
-//! Chapter 13, exercise 1: a seventh integral, the wavelength, for no ray more.
+//! Chapter 13, exercise 3: a seventh integral, the wavelength, for no ray more.
 //!
 //! A slab of glass shifts a slanted ray to the side, blue light further than red. A sample draws its
 //! wavelength as it draws its moment, and an edge seen through the slab becomes a small spectrum: a

@@ -198,7 +198,7 @@ impl Render {
             },
         };
         let (spp, seed) = (u64::from(outcome.spp), outcome.seed);
-        let photons = kept_integrator.as_ref().and_then(|made| made.photons());
+        let photons = made.photons();
         let mut landed = photons.map(|photons| Landed::new(photons, &scene, outcome.spp));
         let facts = Provenance {
             sampler: self.sampler(),

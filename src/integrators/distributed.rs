@@ -57,6 +57,7 @@ impl Integral {
         Purpose::Direction,
     ];
 
+    // ANCHOR: purpose
     /// The purpose of its random numbers.
     pub fn purpose(self) -> Purpose {
         match self {
@@ -68,6 +69,7 @@ impl Integral {
             Integral::Hemisphere => Purpose::Direction,
         }
     }
+    // ANCHOR_END: purpose
 
     /// The purposes of all others, to leave those out.
     pub fn others(self) -> &'static [Purpose] {

@@ -93,6 +93,7 @@ impl Integrator for WhichRay {
 }
 
 impl WhichRay {
+    // ANCHOR: further
     /// Chooses the further ray; `None` where the light is absorbed.
     pub fn further(&self, here: &Interaction, vertex: u64, stream: &Stream) -> Option<BsdfSample> {
         let choice = stream.at(vertex, Purpose::Branch).one();
@@ -102,4 +103,5 @@ impl WhichRay {
             other => other.scatter(here.wo, choice, u),
         }
     }
+    // ANCHOR_END: further
 }

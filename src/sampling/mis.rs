@@ -19,6 +19,7 @@ pub enum Heuristic {
 }
 
 impl Heuristic {
+    // ANCHOR: weight
     /// The weight of a sample drawn with density `own`, which the other technique would have drawn
     /// with density `other`; both in the same unit and not negative.
     ///
@@ -34,6 +35,7 @@ impl Heuristic {
             Heuristic::Power => 1.0 / (1.0 + ratio * ratio),
         }
     }
+    // ANCHOR_END: weight
 
     /// The same weight in double precision, for quadratures.
     pub fn weight_f64(self, own: f64, other: f64) -> f64 {

@@ -12,6 +12,7 @@ use std::f32::consts::PI;
 #[derive(Clone, Copy, Debug)]
 pub struct Flat;
 
+// ANCHOR: space
 impl Space for Flat {
     type Vector = Vec2;
     type Frame = FlatFrame;
@@ -21,6 +22,7 @@ impl Space for Flat {
     const HEMISPHERE: f32 = PI;
     const LAMBERT: f32 = 0.5;
     const FALL_OFF: i32 = 1;
+    // ANCHOR_END: space
 
     fn frame(n: Vec2) -> FlatFrame {
         FlatFrame::new(n)

@@ -12,6 +12,7 @@ use std::f32::consts::{FRAC_1_PI, TAU};
 #[derive(Clone, Copy, Debug)]
 pub struct Solid;
 
+// ANCHOR: space
 impl Space for Solid {
     type Vector = Vec3;
     type Frame = Frame;
@@ -21,6 +22,7 @@ impl Space for Solid {
     const HEMISPHERE: f32 = TAU;
     const LAMBERT: f32 = FRAC_1_PI;
     const FALL_OFF: i32 = 2;
+    // ANCHOR_END: space
 
     fn frame(n: Vec3) -> Frame {
         Frame::new(n)

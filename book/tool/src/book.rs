@@ -8,7 +8,7 @@ use crate::data::Run;
 use crate::directives::{self, Directive};
 use crate::edit::{Problem, rewrite};
 use crate::ledger::{self, PageLink};
-use crate::{figures, includes, maths, numbers};
+use crate::{figures, includes, listings, maths, numbers, terms};
 
 /// What every page is prepared with.
 pub struct Preparation {
@@ -28,11 +28,11 @@ impl Preparation {
             .filter_map(|page| {
                 Some(PageLink {
                     file: page.path.clone()?,
-                    name: page.to_string(),
+                    name: page.name.clone(),
                 })
             })
             .collect();
-        let mut problems = Vec::new();
+        let mut problems = self.terms_too_early(book);
         book.for_each_chapter_mut(|page| problems.extend(self.prepare_page(page, &links)));
         problems.sort();
         problems.dedup();
@@ -41,6 +41,21 @@ impl Preparation {
         } else {
             Err(problems)
         }
+    }
+
+    /// Terms of the glossary that stand on a page before they are explained.
+    fn terms_too_early(&self, book: &Book) -> Vec<Problem> {
+        let pages = book.chapters().filter_map(|page| {
+            let file = page.path.as_deref()?.to_string_lossy().into_owned();
+            Some((file, page.content.clone()))
+        });
+        let found = terms::used_too_early(&pages.collect::<Vec<_>>());
+        let problem = |(file, says)| Problem {
+            page: self.shown_as.join(file),
+            line: 1,
+            says,
+        };
+        found.into_iter().map(problem).collect()
     }
 
     /// Rewrites one page; what cannot be rewritten is returned instead.
@@ -66,6 +81,11 @@ impl Preparation {
         }
     }
 
+    /// The folder that a page's includes are seen from.
+    fn beside(&self, file: &Path) -> PathBuf {
+        self.sources.join(file.parent().unwrap_or(file))
+    }
+
     /// What stands for a directive on the page in `file`.
     fn expand(
         &self,
@@ -88,13 +108,14 @@ impl Preparation {
                 ledger::expand(arguments, &self.run, links, file)?,
             ),
             "include" | "rustdoc_include" => {
-                let beside = self.sources.join(file.parent().unwrap_or(file));
-                includes::check(arguments, &beside).map(|()| source.to_string())
+                includes::check(arguments, &self.beside(file)).map(|()| source.to_string())
             }
+            "listing" => block(directive, listings::expand(arguments, &self.beside(file))?),
+            "changes" => block(directive, listings::changes(arguments, &self.beside(file))?),
             "title" => Ok(source.to_string()),
             _ => Err(format!(
-                "unknown directive `{name}` (known: figure, figures, include, ledger, number, \
-                 rustdoc_include, title)"
+                "unknown directive `{name}` (known: changes, figure, figures, include, ledger, \
+                 listing, number, rustdoc_include, title)"
             )),
         }
     }
@@ -137,6 +158,19 @@ mod tests {
         assert!(written.starts_with("<math display=\"inline\"><mi>x</mi></math> is 4.\n\n<div"));
         assert!(written.ends_with("</div>\n\nEnd.\n{{#include edit.rs}}\n"));
         assert!(written.contains("<a href=\"ch01.md\">"));
+    }
+
+    #[test]
+    fn a_term_before_its_explanation_stops_the_book() {
+        let glossary = "| **radiance** | what a ray carries | [Light](b.md) |\n";
+        let pages = [
+            ("a.md", "Radiance."),
+            ("b.md", "Radiance is this."),
+            ("glossary.md", glossary),
+        ];
+        let problems = prepared(&pages).unwrap_err();
+        assert_eq!(problems.len(), 1);
+        assert!(problems[0].starts_with("book/src/a.md:1: `radiance` is explained in b.md"));
     }
 
     #[test]

@@ -15,17 +15,29 @@ const WRITTEN_OUT_WITH_ERROR: Range<i32> = -4..9;
 /// Whole numbers below this are exact in an `f64`.
 const EXACT_INTEGERS: f64 = 1e15;
 
-/// Digits shown of a number that comes without an error.
+/// Digits shown of a number that is exact.
 pub const DIGITS: usize = 7;
+/// Digits shown of a number that is neither exact nor given an error: nobody knows whether more would be right.
+pub const UNSURE_DIGITS: usize = 4;
 /// Digits shown of an error: it is itself an estimate.
 pub const ERROR_DIGITS: usize = 2;
 
-/// A number without an error: whole numbers in full, others to seven significant digits.
+/// An exact number: whole numbers in full, others to seven significant digits.
 pub fn plain(value: f64) -> String {
+    whole_or(value, DIGITS)
+}
+
+/// A number that was measured and stands without its error: whole numbers in full, for they were counted, others
+/// to four significant digits.
+pub fn unsure(value: f64) -> String {
+    whole_or(value, UNSURE_DIGITS)
+}
+
+fn whole_or(value: f64, digits: usize) -> String {
     if value.fract() == 0.0 && value.abs() < EXACT_INTEGERS {
         fixed(value, 0)
     } else {
-        significant(value, DIGITS)
+        significant(value, digits)
     }
 }
 

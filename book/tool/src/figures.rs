@@ -10,14 +10,20 @@ use base64::prelude::{BASE64_STANDARD, Engine as _};
 use crate::data::{REMEDY, Run};
 use crate::markup::escape;
 
+/// Width in pixels of the page's column, and of each of two figures beside each other.
+const COLUMN: f64 = 720.0;
+const HALF: f64 = 348.0;
+/// No letter in a drawing is smaller, in pixels.
+const LEAST_LETTERS: f64 = 11.0;
+
 /// Narrower renders are shown with their pixels sharp: there every pixel is worth seeing.
 const SMALL: u32 = 160;
 
 /// One figure, `chapter/file` and perhaps `width=50%`.
 pub fn expand(arguments: &[&str], run: &Run) -> Result<String, String> {
     match arguments {
-        [path] => figure(path, None, run),
-        [path, width] => figure(path, Some(percentage(width)?), run),
+        [path] => figure(path, None, COLUMN, run),
+        [path, width] => figure(path, Some(percentage(width)?), COLUMN, run),
         [] | [_, _, ..] => Err("write `chapter/file` and perhaps `width=50%`".to_string()),
     }
 }
@@ -27,14 +33,20 @@ pub fn expand_row(arguments: &[&str], run: &Run) -> Result<String, String> {
     if arguments.len() < 2 {
         return Err("a row has at least two figures; for one write `{{#figure …}}`".to_string());
     }
+    let place = if arguments.len() == 2 {
+        HALF
+    } else {
+        HALF * 2.0 / arguments.len() as f64
+    };
     let figures: Result<String, String> = arguments
         .iter()
-        .map(|path| figure(path, None, run))
+        .map(|path| figure(path, None, place, run))
         .collect();
     Ok(format!("<div class=\"figures\">{}</div>", figures?))
 }
 
-fn figure(path: &str, width: Option<u32>, run: &Run) -> Result<String, String> {
+/// One figure in a place of so many pixels.
+fn figure(path: &str, width: Option<u32>, place: f64, run: &Run) -> Result<String, String> {
     let (chapter, file) = path
         .split_once('/')
         .ok_or_else(|| format!("write `chapter/file` instead of `{path}`"))?;
@@ -45,7 +57,11 @@ fn figure(path: &str, width: Option<u32>, run: &Run) -> Result<String, String> {
         Some((_, "svg")) if width.is_some() => {
             return Err(format!("`{path}` is shown at the width it is drawn at"));
         }
-        Some((_, "svg")) => ("svg+xml", " class=\"drawing\""),
+        Some((_, "svg")) => {
+            readable(&String::from_utf8_lossy(&bytes), place)
+                .map_err(|says| format!("`{path}` {says}"))?;
+            ("svg+xml", " class=\"drawing\"")
+        }
         Some((_, "png")) => match png_width(&bytes) {
             None => return Err(format!("`{path}` is not a PNG")),
             Some(0..SMALL) => ("png", " class=\"pixels\""),
@@ -60,6 +76,41 @@ fn figure(path: &str, width: Option<u32>, run: &Run) -> Result<String, String> {
         "<figure><img{class}{style} alt=\"{caption}\" src=\"data:image/{kind};base64,{data}\">\
          <figcaption>{caption}</figcaption></figure>"
     ))
+}
+
+/// Refuses a drawing that is wider than its place, or has letters that are too small there.
+fn readable(svg: &str, place: f64) -> Result<(), String> {
+    let head = svg.split_once('>').map_or(svg, |(head, _)| head);
+    let [width, units] = [numbers(head, "width=\""), numbers(head, "viewBox=\"0 0 ")]
+        .map(|list| list.first().copied());
+    let (Some(width), Some(units)) = (width, units) else {
+        return Err("says no width and viewBox".to_string());
+    };
+    if width > place {
+        return Err(format!("is {width} pixels wide, in a place of {place}"));
+    }
+    // Units are as fine as a quarter of a pixel, and letters are rounded to them.
+    let letters = numbers(svg, "font-size=\"")
+        .into_iter()
+        .map(|units_high| units_high * width / units);
+    match letters.reduce(f64::min) {
+        Some(least) if least < LEAST_LETTERS - 0.01 => Err(format!(
+            "has letters of {least:.1} pixels, below {LEAST_LETTERS}"
+        )),
+        _ => Ok(()),
+    }
+}
+
+/// The numbers that follow a mark.
+fn numbers(text: &str, mark: &str) -> Vec<f64> {
+    let after = text.split(mark).skip(1);
+    let number = |rest: &str| {
+        let end = rest
+            .find(|c: char| !c.is_ascii_digit() && c != '.')
+            .unwrap_or(rest.len());
+        rest[..end].parse().ok()
+    };
+    after.filter_map(number).collect()
 }
 
 /// The percentage in `width=50%`.
@@ -101,6 +152,25 @@ mod tests {
         let html = expand_row(&["ch01/image.png", "ch01/plot.svg"], &fixtures()).unwrap();
         assert_eq!(html.matches("<figure>").count(), 2);
         assert!(html.contains("data:image/svg+xml;base64,PHN2Zy"));
+    }
+
+    #[test]
+    fn letters_that_are_too_small_or_a_drawing_that_is_too_wide_are_refused() {
+        let svg = |width: u32, letters: f64| {
+            format!(
+                "<svg width=\"{width}\" viewBox=\"0 0 {} 9\"><text font-size=\"60\">a</text>\
+                 <text font-size=\"{}\">b</text></svg>",
+                4 * width,
+                4.0 * letters
+            )
+        };
+        assert_eq!(readable(&svg(720, 11.0), COLUMN), Ok(()));
+        assert_eq!(readable(&svg(300, 12.5), HALF), Ok(()));
+        let small = readable(&svg(720, 10.5), COLUMN).unwrap_err();
+        assert_eq!(small, "has letters of 10.5 pixels, below 11");
+        let wide = readable(&svg(720, 20.0), HALF).unwrap_err();
+        assert_eq!(wide, "is 720 pixels wide, in a place of 348");
+        assert!(readable("<svg>", COLUMN).is_err());
     }
 
     #[test]

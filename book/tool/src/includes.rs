@@ -56,7 +56,7 @@ fn check_anchor(text: &str, anchor: &str) -> Result<(), String> {
 }
 
 /// The name after `marker` on this line, cut where mdBook cuts it.
-fn anchor_name<'a>(line: &'a str, marker: &str) -> Option<&'a str> {
+pub fn anchor_name<'a>(line: &'a str, marker: &str) -> Option<&'a str> {
     let (_, after) = line.split_once(marker)?;
     let after = after.trim_start();
     let end = after.find(|c| !is_name_char(c)).unwrap_or(after.len());

@@ -15,7 +15,7 @@ const NOTHING: &str = "–";
 pub struct PageLink {
     /// The page's file below the book's sources.
     pub file: PathBuf,
-    /// Its number and name.
+    /// Its name, which begins with the number of the chapter.
     pub name: String,
 }
 

@@ -13,9 +13,11 @@ mod edit;
 mod figures;
 mod includes;
 mod ledger;
+mod listings;
 mod markup;
 mod maths;
 mod numbers;
+mod terms;
 
 use std::io;
 use std::path::PathBuf;

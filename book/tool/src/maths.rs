@@ -88,6 +88,15 @@ fn mathml(latex: &str, display_mode: DisplayMode) -> Result<String, String> {
         config,
     )
     .map_err(|error| refusal(&error.to_string()))?;
+    if ["<msup><mspace", "<msub><mspace"]
+        .iter()
+        .any(|broken| html.contains(broken))
+    {
+        // Three children where there must be two: browsers set such a power on the line.
+        return Err(refusal(
+            "write `(\\cos\\theta)^2`, for a power of the function's name becomes invalid MathML",
+        ));
+    }
     let html = hide_from_markdown(&tighten(html));
     Ok(match display_mode {
         DisplayMode::Inline => html,
@@ -96,8 +105,9 @@ fn mathml(latex: &str, display_mode: DisplayMode) -> Result<String, String> {
 }
 
 /// Takes the space from around bars and slashes: browsers set them like relations, `|x|` as wide
-/// as `a = b`, and TeX does not.
+/// as `a = b`, and TeX does not. The micro sign becomes the letter mu, which has an italic.
 fn tighten(html: String) -> String {
+    let html = html.replace('\u{b5}', "\u{3bc}");
     ["/", "|", "‖"].iter().fold(html, |html, tight| {
         html.replace(
             &format!(">{tight}</mo>"),
@@ -139,6 +149,11 @@ mod tests {
     }
 
     #[test]
+    fn mu_is_a_letter_and_no_unit() {
+        assert!(written("$\\mu$").contains("<mi>\u{3bc}</mi>"));
+    }
+
+    #[test]
     fn code_keeps_its_dollars() {
         let source = "`$x$`\n\n```text\n$y$ and $\n```\n\n    $z\n";
         assert_eq!(written(source), source);
@@ -169,6 +184,13 @@ mod tests {
         assert!(failures[0].1.starts_with("bad formula `\\foo`: "));
         assert!(failures[1].1.starts_with("bad formula `\\frac{a}`: "));
         assert!(failures.iter().all(|(_, says)| !says.contains('\n')));
+    }
+
+    #[test]
+    fn a_power_of_a_functions_name_after_a_factor_is_refused() {
+        let failures = refused("$A \\cos^4\\theta$");
+        assert!(failures[0].1.contains("invalid MathML"), "{failures:?}");
+        assert!(written("$A (\\cos\\theta)^4$").contains("<msup>"));
     }
 
     #[test]

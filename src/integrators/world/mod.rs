@@ -69,6 +69,7 @@ pub trait World<S: Space> {
     }
 }
 
+// ANCHOR: next_event
 /// Next-event estimation: the light of all lights that a surface scatters back, by one shadow ray to each.
 pub fn next_event<S: Space, W: World<S>>(
     world: &mut W,
@@ -81,6 +82,7 @@ pub fn next_event<S: Space, W: World<S>>(
         .map(|direct| direct.scattered())
         .sum()
 }
+// ANCHOR_END: next_event
 
 /// A point of a diffuse surface.
 #[derive(Clone, Copy, Debug)]

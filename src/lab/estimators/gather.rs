@@ -136,6 +136,7 @@ fn irradiance<S: Space, W: World<S>>(
         .sum()
 }
 
+// ANCHOR: step_functions
 /// Step 1: a random direction over the surface, as an angle of the half disk.
 ///
 /// The essay speaks of a location in the half disk and draws an angle between 0 and π: a point of
@@ -192,6 +193,7 @@ pub fn step6_mean(sum: [f64; 3], count: u32) -> Rgb {
 pub fn step7_combine<S: Space>(albedo: Rgb, direct: Rgb, indirect: Rgb) -> Rgb {
     albedo * ((direct + indirect) * S::LAMBERT)
 }
+// ANCHOR_END: step_functions
 
 /// The number of a ray in its tree, as in a heap: the root is 0, and no two rays share one.
 fn child(node: u64, count: u32, index: u32) -> u64 {

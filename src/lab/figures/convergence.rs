@@ -6,8 +6,8 @@ use crate::numeric::fixed;
 use crate::stats::slope::{Fit, Line};
 
 /// Error against samples on logarithmic axes: measured points with their error bars, and in the
-/// same colour the fitted line, whose slope stands in the legend. A run that is alone shows its
-/// variance, too.
+/// same colour the fitted line, whose slope stands in the legend with its standard error. A run that is
+/// alone shows its variance, too.
 pub fn convergence_chart(title: impl Into<String>, runs: &[Convergence]) -> CurveChart {
     let mut groups: Vec<Vec<Curve>> = runs.iter().map(curves).collect();
     let mut y_label = "root mean squared error";
@@ -18,7 +18,7 @@ pub fn convergence_chart(title: impl Into<String>, runs: &[Convergence]) -> Curv
     let coloured = |(i, group): (usize, Vec<Curve>)| group.into_iter().map(move |c| c.coloured(i));
     CurveChart {
         title: title.into(),
-        x_label: "samples N".into(),
+        x_label: "samples N; bars and ±: one standard error".into(),
         y_label: y_label.into(),
         x_axis: Axis::Log,
         y_axis: Axis::Log,
@@ -62,7 +62,12 @@ fn curves(run: &Convergence) -> Vec<Curve> {
             // One replicate has an error, but none of that error.
             error: Some(size.rmse_error).filter(|error| error.is_finite()),
         });
-    let name = format!("{}: {}", run.name, run.slope_text());
+    let slope = run.line().map(|fit| {
+        let slope = fixed(fit.line.slope, 3);
+        format!("slope {slope} ± {}", fixed(fit.std_error, 3))
+    });
+    let slope = slope.unwrap_or_else(|| run.slope_text());
+    let name = format!("{}: {slope}", run.name);
     let marks = |name| Curve {
         name,
         points: measured.collect(),

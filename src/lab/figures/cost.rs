@@ -81,5 +81,5 @@ fn curves(method: &Priced, against: Against) -> Vec<Curve> {
 }
 
 fn slope(fit: &Fit) -> String {
-    format!("{:.3} ± {:.3}", fit.line.slope, fit.half_width)
+    format!("{:.3} ± {:.3}", fit.line.slope, fit.std_error)
 }

@@ -93,12 +93,12 @@ impl RayDrawing {
         svg.clipped(sheet.window(), |svg| self.draw_lines(svg, &sheet));
         self.write_words(&mut svg, &sheet, width);
         let below = sheet.window()[1][1] + GAP;
-        let keys: Vec<_> = self
-            .kinds()
-            .into_iter()
-            .rev()
-            .map(StrokeKind::key)
-            .collect();
+        let kinds = if self.bare {
+            BTreeSet::new()
+        } else {
+            self.kinds()
+        };
+        let keys: Vec<_> = kinds.into_iter().rev().map(StrokeKind::key).collect();
         let height = below + svg.legend(below, width, &keys) + GAP;
         svg.page([width, height], 1.0)
     }
@@ -231,6 +231,17 @@ mod tests {
         assert_eq!(svg.matches("<polyline").count(), 7 + 3);
         assert_eq!(svg.matches("marker-end").count(), 1);
         assert!(svg.contains("lost ray") && !svg.contains("normal"));
+    }
+
+    #[test]
+    fn a_bare_drawing_has_all_strokes_and_no_legend() {
+        let bare = RayDrawing {
+            bare: true,
+            ..drawing()
+        };
+        let svg = bare.to_svg().unwrap();
+        assert_eq!(svg.matches("<polyline").count(), 7);
+        assert!(!svg.contains("lost ray"));
     }
 
     #[test]

@@ -25,6 +25,8 @@ pub struct RayDrawing {
     pub labels: Vec<Label>,
     /// Words in the middle of their places, whatever lies beneath.
     pub captions: Vec<Label>,
+    /// Whether the legend is left out, because words stand beside all there is.
+    pub bare: bool,
 }
 
 /// An upright rectangle of the plane.
@@ -94,6 +96,16 @@ pub struct Stroke {
     pub kind: StrokeKind,
     /// Whether its end carries an arrow head.
     pub arrow: bool,
+}
+
+impl Label {
+    /// A word at a place.
+    pub fn new(at: [f64; 2], text: &str) -> Self {
+        Self {
+            at,
+            text: text.to_owned(),
+        }
+    }
 }
 
 impl Stroke {
