@@ -179,6 +179,7 @@ fn the_page_lists_every_key_of_every_command_with_its_types() {
             "render",
             &[
                 "render mine.toml --spp 1 --quiet",
+                "render caustic --size 8x8 --spp 1 --quiet",
                 "render mine.toml --spp 16 --integrator kajiya --maps --quiet",
                 "render cornell --size 8x8 --spp 1 --integrator radiosity --camera spheres --quiet",
                 "render mine.toml --spp 2 --integrator photons --photons 99 --radius 0.1 --quiet",
