@@ -4,7 +4,7 @@
 use crate::checks::CRITICAL;
 use halfdisk::color::Rgb;
 use halfdisk::geometry::Ray;
-use halfdisk::integrators::{Integrator, Kajiya, Path};
+use halfdisk::integrators::{Integrator, Kajiya, Passes, Path};
 use halfdisk::render::stopping::{Goal, StoppedBy, render_to};
 use halfdisk::render::{Film, Options, Progress, Session, render};
 use halfdisk::sampling::stream::{Purpose, Sampler, Stream};
@@ -71,6 +71,10 @@ impl<I: Integrator> Integrator for Counted<'_, I> {
         let li = self.0.li(tracer, ray, stream);
         self.1.add(tracer.counts().total() - before);
         li
+    }
+
+    fn passes(&self, scene: &Scene) -> Option<&dyn Passes> {
+        self.0.passes(scene)
     }
 }
 

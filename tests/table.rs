@@ -247,7 +247,7 @@ fn check(row: &Row) -> Vec<String> {
     let (balance, power) = (combine(Heuristic::Balance), combine(Heuristic::Power));
     let path = Path {
         roulette_from: 2,
-        ..Path::new(max_depth)
+        ..Path::from_eye(max_depth)
     };
     let survival = Survival::Throughput(0.5);
     let cut = Some(row.truth);

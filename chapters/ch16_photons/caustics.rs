@@ -5,7 +5,7 @@ use glam::{DVec2, Vec2};
 use halfdisk::color::Rgb;
 use halfdisk::flatland::{FlatWorld, frame};
 use halfdisk::integrators::Photons;
-use halfdisk::integrators::world::FlatTracer;
+use halfdisk::integrators::world::{Emitted, FlatTracer};
 use halfdisk::lab::chapter::{Desk, DeskError, Number};
 use halfdisk::lab::drawing::{Dot, HALF, Stroke, StrokeKind};
 use halfdisk::lab::figures::flat;
@@ -85,9 +85,12 @@ fn beam(
         let stream = Stream::new(desk.options.seed, walk, 1);
         let u = stream.at(0, Purpose::Emission).one();
         let ray = Ray::new(from + (to - from) * u, direction);
-        by.follow(&mut tracer, ray, Rgb::WHITE, &stream, &mut |p| {
-            found.push(p)
-        });
+        let start = Emitted {
+            ray,
+            power: Rgb::WHITE,
+            is_delta: true,
+        };
+        by.follow(&mut tracer, start, &stream, &mut |p| found.push(p));
     }
     (found, walks)
 }

@@ -11,7 +11,7 @@
 //! Source: Arvo, Backward Ray Tracing (SIGGRAPH course notes 1986); Jensen, Global Illumination Using Photon
 //! Maps (Rendering Techniques 1996), for aiming at what focuses light and for a map of caustics alone.
 
-use super::from_light::{scatter, to_eye};
+use super::from_light::{Gain, to_eye};
 use super::world::World;
 use super::{Arrival, Pass, Prepared, Survival};
 use crate::color::Rgb;
@@ -55,11 +55,11 @@ impl Caustics {
         stream: &Stream,
         splat: &mut impl FnMut([f32; 2], Rgb, &[Letter]),
     ) {
-        let Some((light, start)) = tracer.sample_focused(stream) else {
+        let Some(start) = tracer.sample_focused(stream) else {
             return;
         };
-        let is_delta = tracer.scene().lights[light].is_delta();
         let mut power = start.power();
+        let mut gain = Gain::new(start.is_delta);
         let mut throughput = Rgb::WHITE;
         let mut letters = vec![Letter::Light];
         let mut ray = start.ray;
@@ -71,9 +71,10 @@ impl Caustics {
             // The light that is scattered from here straight to the eye.
             let vertex = u64::from(depth);
             let event = tracer.smooth_event(&here);
-            let shows = event == Some(Event::Diffuse) || event == Some(Event::Gloss) && is_delta;
+            let shows =
+                event == Some(Event::Diffuse) || event == Some(Event::Gloss) && start.is_delta;
             if let Some(event) = event.filter(|_| depth > 1 && shows)
-                && let Some((film, received)) = to_eye(tracer, &here, vertex, stream)
+                && let Some((film, received)) = to_eye(tracer, &here, gain, vertex, stream)
             {
                 letters.push(event.into());
                 splat(film, power * received, &letters);
@@ -81,15 +82,18 @@ impl Caustics {
             }
 
             // Choose where to go next. The first surface has to be a mirror or glass.
-            let Some(step) = scatter(tracer, &here, vertex, stream) else {
+            let Some(step) = tracer.sample_bsdf(&here, vertex, stream) else {
                 break;
             };
             if depth == 1 && step.event != Event::Specular {
                 break;
             }
             letters.push(step.event.into());
+            if let Some(bsdf) = &here.bsdf {
+                gain = gain.through(bsdf, here.wo, here.frame.to_local(step.ray.direction));
+            }
             power *= step.weight;
-            throughput *= step.bsdf_weight;
+            throughput *= step.weight;
             ray = step.ray;
 
             // Does the walk go on? Where light has landed it is worth less.

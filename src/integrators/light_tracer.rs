@@ -15,7 +15,7 @@
 //! Light Transport Simulation (1997), chapter 4: the adjoint of a BSDF is the BSDF with its two directions
 //! exchanged.
 
-use super::from_light::{scatter, to_eye};
+use super::from_light::{Gain, to_eye};
 use super::world::World;
 use super::{Arrival, Entry, Finds, Found, Integrator, Pass, Passes, Prepared, Survival};
 use crate::color::Rgb;
@@ -102,6 +102,7 @@ impl LightTracer {
             return;
         };
         let mut power = start.power();
+        let mut gain = Gain::new(start.is_delta);
         let mut throughput = Rgb::WHITE;
         let mut ray = start.ray;
         for depth in 1..self.max_depth {
@@ -111,16 +112,19 @@ impl LightTracer {
 
             // The light that is scattered from here straight to the eye.
             let vertex = u64::from(depth);
-            if let Some((film, received)) = to_eye(tracer, &here, vertex, stream) {
+            if let Some((film, received)) = to_eye(tracer, &here, gain, vertex, stream) {
                 splat(film, power * received);
             }
 
             // Choose where to go next: the BSDF as seen by who sends the light.
-            let Some(step) = scatter(tracer, &here, vertex, stream) else {
+            let Some(step) = tracer.sample_bsdf(&here, vertex, stream) else {
                 break;
             };
+            if let Some(bsdf) = &here.bsdf {
+                gain = gain.through(bsdf, here.wo, here.frame.to_local(step.ray.direction));
+            }
             power *= step.weight;
-            throughput *= step.bsdf_weight;
+            throughput *= step.weight;
             ray = step.ray;
 
             // Does the walk go on?

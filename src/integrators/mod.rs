@@ -47,6 +47,7 @@ pub use caustics::Caustics;
 pub use combine::{Combine, Shares};
 pub use distributed::{Distributed, Integral};
 pub use entry::{Entry, Finds, Found, Shows};
+pub use from_light::Gain;
 pub use kajiya::Kajiya;
 pub use light_tracer::LightTracer;
 pub use next_event::NextEvent;

@@ -21,8 +21,8 @@
 //! Jensen, Progressive Photon Mapping (TOG 27(5), 2008); Knaus, Zwicker, Progressive Photon Mapping: A
 //! Probabilistic Approach (TOG 30(3), 2011), whose passes know nothing of each other.
 
-use super::world::PhotonWorld;
-use super::{Entry, Finds, Found, Integrator, Pass, Passes, Prepared, Survival};
+use super::world::{Emitted, PhotonWorld};
+use super::{Entry, Finds, Found, Gain, Integrator, Pass, Passes, Prepared, Survival};
 use crate::color::Rgb;
 use crate::geometry;
 use crate::photons::{Kernel, Photon, PhotonMap, radius};
@@ -123,34 +123,40 @@ impl Photons {
         stream: &Stream,
         leave: &mut dyn FnMut(Photon<S>),
     ) {
-        if let Some((ray, power)) = world.emit(time, stream) {
-            self.follow(world, ray, power, stream, leave);
+        if let Some(start) = world.emit(time, stream) {
+            self.follow(world, start, stream, leave);
         }
     }
 
-    /// The same for a path that has just left a light along `ray` with `power`, in W.
+    /// The same for a path that has just left a light.
     pub fn follow<S: Space, W: PhotonWorld<S>>(
         &self,
         world: &mut W,
-        mut ray: Ray<S>,
-        mut power: Rgb,
+        start: Emitted<S>,
         stream: &Stream,
         leave: &mut dyn FnMut(Photon<S>),
     ) {
+        let Emitted {
+            mut ray,
+            mut power,
+            is_delta,
+        } = start;
+        let mut gain = Gain::new(is_delta);
         let mut throughput = Rgb::WHITE;
         for segments in 1..self.max_depth {
             let Some(here) = world.land(&ray) else {
                 break;
             };
             if world.smooth_event(&here).is_some() {
-                leave(world.photon(&here, power, segments));
+                leave(world.photon(&here, power * gain.factor(), segments));
             }
             let vertex = u64::from(segments);
-            let Some(step) = world.scatter(&here, vertex, stream) else {
+            let Some(step) = world.sample_bsdf(&here, vertex, stream) else {
                 break;
             };
+            gain = world.gain(gain, &here, &step.ray);
             power *= step.weight;
-            throughput *= step.bsdf_weight;
+            throughput *= step.weight;
             ray = step.ray;
 
             // A surface that keeps half of the light keeps half of the photons, so that all have about

@@ -29,6 +29,8 @@ pub struct EmissionSample {
     pub place: [f32; 2],
     /// The unit normal on the side that the ray leaves; of lights without a surface, its direction.
     pub n: Vec3,
+    /// True for a light without extent: see [`Light::is_delta`].
+    pub is_delta: bool,
 }
 
 impl EmissionSample {
@@ -108,6 +110,7 @@ impl BoundingSphere {
             part: 0,
             place: [0.0; 2],
             n: -from,
+            is_delta: false,
         }
     }
 }
@@ -156,6 +159,7 @@ impl Place {
             part: self.part,
             place: self.place,
             n,
+            is_delta: self.emitter == Emitter::Point,
         }
     }
 }
@@ -187,7 +191,10 @@ impl Light {
             } => {
                 let aside = warps::sample_disk_concentric(u.direction) * around.radius;
                 let across = Frame::new(from).to_world(aside.extend(0.0));
-                around.pass(from, across, emitted, over_density * around.disc())
+                EmissionSample {
+                    is_delta: self.is_delta(),
+                    ..around.pass(from, across, emitted, over_density * around.disc())
+                }
             }
         })
     }
@@ -220,7 +227,10 @@ impl Light {
                 over_density,
             } => {
                 let (across, pdf) = targets.sample_line(around, from, aim, u.direction)?;
-                Some(around.pass(from, across, emitted, over_density / pdf))
+                Some(EmissionSample {
+                    is_delta: self.is_delta(),
+                    ..around.pass(from, across, emitted, over_density / pdf)
+                })
             }
         }
     }

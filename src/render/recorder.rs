@@ -24,8 +24,14 @@ pub trait Recorder: Sync {
         None
     }
 
-    /// Records light of such a pass that arrives in the pixel of a sample, after [`Recorder::record`].
-    fn arrive(&self, _splat: &Splat, _parts: &mut [Rgb], _notes: &mut Self::Notes) {}
+    /// Records the light of such a pass that arrives in the pixel of a sample, after [`Recorder::record`].
+    fn arrive(
+        &self,
+        _splats: impl Iterator<Item = Splat>,
+        _parts: &mut [Rgb],
+        _notes: &mut Self::Notes,
+    ) {
+    }
 
     /// One sample of the radiance that arrives along `ray`, in W/(m² sr). Its parts in the further pictures
     /// go to `parts`.

@@ -90,9 +90,7 @@ impl<Notes> Tile<Notes> {
                     if let Some(light) = &prepared.light {
                         let number = y * scene.size[0] + x;
                         li += light[number as usize];
-                        for splat in prepared.splats.of(number) {
-                            recorder.arrive(&splat, &mut parts, notes);
-                        }
+                        recorder.arrive(prepared.splats.of(number), &mut parts, notes);
                     }
                     if self.watch.admits(li, BadSample { x, y, sample }) {
                         pixel.add(li);

@@ -147,16 +147,13 @@ impl<'a> Tracer<'a> {
 
     /// The same at the moment `time`, in `[0, 1]`.
     pub fn sample_emission_at(&self, stream: &Stream, time: f32) -> Option<EmissionSample> {
-        let choice = &self.scene.emission_choice;
-        self.emission(choice, stream, time)
-            .map(|(_, sample)| sample)
+        self.emission(&self.scene.emission_choice, stream, time)
     }
 
-    /// Draws a light, and a ray along which it emits towards what focuses light; its index in [`Scene::lights`],
-    /// too. Its power stands for that of all such rays of all lights but a sky of one colour.
-    pub fn sample_focused(&self, stream: &Stream) -> Option<(usize, EmissionSample)> {
-        let choice = &self.scene.caustic_choice;
-        self.emission(choice, stream, self.moment(stream))
+    /// Draws a light, and a ray along which it emits towards what focuses light. Its power stands for that of all
+    /// such rays of all lights but a sky of one colour.
+    pub fn sample_focused(&self, stream: &Stream) -> Option<EmissionSample> {
+        self.emission(&self.scene.caustic_choice, stream, self.moment(stream))
     }
 
     /// A random moment while the shutter is open, where anything moves.
@@ -172,7 +169,7 @@ impl<'a> Tracer<'a> {
         choice: &EmissionChoice,
         stream: &Stream,
         time: f32,
-    ) -> Option<(usize, EmissionSample)> {
+    ) -> Option<EmissionSample> {
         let scene = self.scene;
         let mut numbers = stream.at(0, Purpose::Emission);
         let (place, direction) = (numbers.two(), numbers.two());
@@ -200,13 +197,12 @@ impl<'a> Tracer<'a> {
                 emission.at(|| mapping.at(sample.part, sample.place, sample.n))
             }
         };
-        let sample = EmissionSample {
+        Some(EmissionSample {
             ray: sample.ray.at_time(time),
             emitted,
             over_density: sample.over_density / probability,
             ..sample
-        };
-        Some((index, sample))
+        })
     }
 
     /// How far a light has come at `time` since the shutter opened; `None` for one that stands still.

@@ -38,7 +38,7 @@ fn light_that_an_integrator_cannot_find_is_named_and_its_target_is_not_reached_w
             &["LDE"],
         ),
         ("whitted", format!("{SUN}{ball}"), &["LDDE", "LSDE"]),
-        ("path", format!("{SUN}{ball}"), &["LSDE"]),
+        ("path", format!("{SUN}{ball}"), &["LSDSE"]),
         ("combine", format!("{SUN}{LAMP}{ball}"), &["LSDE"]),
     ] {
         // Tables of the top come first in a file.

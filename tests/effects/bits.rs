@@ -300,7 +300,10 @@ fn one_effect_more_is_one_flag_more() {
         [Sky, Diffuse, Specular, Bleeding, Caustics]
     );
     let by_a_point = effects(&scene("", &(POINT.to_owned() + &caustic)));
-    assert_eq!(by_a_point, [PointLights, Diffuse, Specular, Bleeding]);
+    assert_eq!(
+        by_a_point,
+        [PointLights, Diffuse, Specular, Bleeding, Caustics]
+    );
     // Without light nothing is called for.
     assert_eq!(effects(&scene("lens_radius = 0.1", &caustic)), []);
 }

@@ -7,7 +7,7 @@ use glam::{DVec2, DVec3, Vec2};
 use halfdisk::color::Rgb;
 use halfdisk::flatland::FlatWorld;
 use halfdisk::integrators::Photons;
-use halfdisk::integrators::world::FlatTracer;
+use halfdisk::integrators::world::{Emitted, FlatTracer};
 use halfdisk::materials::fresnel;
 use halfdisk::photons::{Kernel, Photon, PhotonMap};
 use halfdisk::sampling::stream::{Purpose, Stream};
@@ -28,9 +28,12 @@ fn beam(
         let stream = Stream::new(3, walk, 0);
         let u = stream.at(0, Purpose::Emission).one();
         let ray = Ray::new(from + (to - from) * u, direction);
-        by.follow(&mut tracer, ray, Rgb::WHITE, &stream, &mut |p| {
-            found.push(p)
-        });
+        let start = Emitted {
+            ray,
+            power: Rgb::WHITE,
+            is_delta: true,
+        };
+        by.follow(&mut tracer, start, &stream, &mut |p| found.push(p));
     }
     found
 }

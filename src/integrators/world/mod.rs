@@ -11,7 +11,7 @@ mod scene;
 
 pub use flat::{FlatTracer, Lights};
 pub use guided::Guided;
-pub use photon::PhotonWorld;
+pub use photon::{Emitted, PhotonWorld};
 
 use crate::color::Rgb;
 use crate::materials::Event;

@@ -1,7 +1,7 @@
 //! What paths need of a world that start at its lights.
 
-use super::super::from_light;
-use super::{FlatTracer, Step, World};
+use super::super::Gain;
+use super::{FlatTracer, World};
 use crate::color::Rgb;
 use crate::flatland::FlatHit;
 use crate::photons::Photon;
@@ -10,17 +10,28 @@ use crate::scene::{Interaction, Tracer};
 use crate::space::{Flat, Ray, Solid, Space};
 use glam::{Vec2, Vec3};
 
+/// A ray along which a light emits.
+#[derive(Clone, Copy, Debug)]
+pub struct Emitted<S: Space> {
+    /// The ray.
+    pub ray: Ray<S>,
+    /// Its power, in W.
+    pub power: Rgb,
+    /// True where the light has no extent.
+    pub is_delta: bool,
+}
+
 /// A world in which paths may start at the lights and leave photons.
 pub trait PhotonWorld<S: Space>: World<S> {
-    /// Draws a light by its power, and a ray along which it emits at the moment `time`, in `[0, 1]`; the power
-    /// of the ray in W, the mean of which is that of all lights. `None` where nothing shines.
-    fn emit(&self, time: f32, stream: &Stream) -> Option<(Ray<S>, Rgb)>;
+    /// Draws a light by its power, and a ray along which it emits at the moment `time`, in `[0, 1]`. The mean of its
+    /// power is that of all lights. `None` where nothing shines.
+    fn emit(&self, time: f32, stream: &Stream) -> Option<Emitted<S>>;
 
     /// The closest hit of a ray on a path from a light.
     fn land(&mut self, ray: &Ray<S>) -> Option<Self::Point>;
 
-    /// Samples the BSDF for light that goes on from a surface: [`World::sample_bsdf`], its weight that of power.
-    fn scatter(&self, at: &Self::Point, vertex: u64, stream: &Stream) -> Option<Step<S>>;
+    /// What a walk from a light has gained where it goes on from a point along `ray`.
+    fn gain(&self, gain: Gain, at: &Self::Point, ray: &Ray<S>) -> Gain;
 
     /// The photon that a path leaves at a point: `power` in W that came along so many segments.
     fn photon(&self, at: &Self::Point, power: Rgb, segments: u32) -> Photon<S>;
@@ -34,17 +45,24 @@ pub trait PhotonWorld<S: Space>: World<S> {
 }
 
 impl<'a> PhotonWorld<Solid> for Tracer<'a> {
-    fn emit(&self, time: f32, stream: &Stream) -> Option<(Ray<Solid>, Rgb)> {
+    fn emit(&self, time: f32, stream: &Stream) -> Option<Emitted<Solid>> {
         let start = self.sample_emission_at(stream, time)?;
-        Some((start.ray, start.power()))
+        Some(Emitted {
+            ray: start.ray,
+            power: start.power(),
+            is_delta: start.is_delta,
+        })
     }
 
     fn land(&mut self, ray: &Ray<Solid>) -> Option<Interaction<'a>> {
         self.secondary_ray(ray)
     }
 
-    fn scatter(&self, at: &Interaction<'a>, vertex: u64, stream: &Stream) -> Option<Step<Solid>> {
-        from_light::scatter(self, at, vertex, stream)
+    fn gain(&self, gain: Gain, at: &Interaction<'a>, ray: &Ray<Solid>) -> Gain {
+        match &at.bsdf {
+            Some(bsdf) => gain.through(bsdf, at.wo, at.frame.to_local(ray.direction)),
+            None => gain,
+        }
     }
 
     fn photon(&self, at: &Interaction<'a>, power: Rgb, segments: u32) -> Photon<Solid> {
@@ -70,16 +88,22 @@ impl<'a> PhotonWorld<Solid> for Tracer<'a> {
 }
 
 impl PhotonWorld<Flat> for FlatTracer<'_> {
-    fn emit(&self, _: f32, stream: &Stream) -> Option<(Ray<Flat>, Rgb)> {
-        self.world.sample_emission(stream)
+    /// Lamps in glass are as points are: their power is what it is.
+    fn emit(&self, _: f32, stream: &Stream) -> Option<Emitted<Flat>> {
+        let (ray, power) = self.world.sample_emission(stream)?;
+        Some(Emitted {
+            ray,
+            power,
+            is_delta: true,
+        })
     }
 
     fn land(&mut self, ray: &Ray<Flat>) -> Option<FlatHit> {
         self.intersect(ray, 0)
     }
 
-    fn scatter(&self, at: &FlatHit, vertex: u64, stream: &Stream) -> Option<Step<Flat>> {
-        self.sample_bsdf(at, vertex, stream)
+    fn gain(&self, gain: Gain, _: &FlatHit, _: &Ray<Flat>) -> Gain {
+        gain
     }
 
     fn photon(&self, at: &FlatHit, power: Rgb, segments: u32) -> Photon<Flat> {

@@ -59,10 +59,19 @@ impl Recorder for ByClass {
         self.path.traces_caustics(scene).then_some(self)
     }
 
-    fn arrive(&self, splat: &Splat, parts: &mut [Rgb], _: &mut ()) {
-        let its = parts.iter_mut().enumerate();
-        let its = its.filter(|(class, _)| splat.path >> class & 1 == 1);
-        its.for_each(|(_, part)| *part += splat.light);
+    fn arrive(&self, splats: impl Iterator<Item = Splat>, parts: &mut [Rgb], _: &mut ()) {
+        // Added up as in the whole picture, so that each is the picture of its class alone.
+        let mut sums = [[0.0_f64; 3]; Class::ALL.len()];
+        for splat in splats {
+            let its = sums.iter_mut().enumerate();
+            let its = its.filter(|(class, _)| splat.path >> class & 1 == 1);
+            for (sum, x) in its.flat_map(|(_, sum)| sum.iter_mut().zip(splat.light.channels())) {
+                *sum += f64::from(x);
+            }
+        }
+        for (part, sum) in parts.iter_mut().zip(sums) {
+            *part += Rgb::from(sum.map(|x| x as f32));
+        }
     }
 }
 

@@ -141,8 +141,8 @@ impl Recorder for Spelling<'_> {
         self.0.traces_caustics(scene).then_some(self)
     }
 
-    fn arrive(&self, splat: &Splat, _: &mut [Rgb], sums: &mut Sums) {
-        book(sums, splat.path, splat.light);
+    fn arrive(&self, splats: impl Iterator<Item = Splat>, _: &mut [Rgb], sums: &mut Sums) {
+        splats.for_each(|splat| book(sums, splat.path, splat.light));
     }
 }
 
