@@ -1,5 +1,6 @@
 //! Lights one can aim at: where light comes from, as seen from a surface.
 
+mod bounding_sphere;
 mod bounds;
 mod choice;
 mod custom;
@@ -15,11 +16,12 @@ mod targets;
 mod tree;
 mod triangle;
 
+pub use bounding_sphere::BoundingSphere;
 pub use bounds::LightBounds;
 pub use choice::{ChosenLight, LightChoice};
 pub use custom::{Arrival, CustomLight, PlacedLight};
 pub use delta::{DirectionalLight, PointLight};
-pub use emission::{BoundingSphere, EmissionChoice, EmissionSample, EmissionUniforms};
+pub use emission::{EmissionChoice, EmissionSample, EmissionUniforms};
 pub use environment::EnvironmentLight;
 pub use mesh::MeshLight;
 pub use quad::QuadLight;

@@ -2,7 +2,7 @@
 //!
 //! Source: Jensen, Global Illumination Using Photon Maps (Rendering Techniques 1996), "Projection maps".
 
-use super::emission::BoundingSphere;
+use super::bounding_sphere::BoundingSphere;
 use crate::numeric::one_minus_cos;
 use crate::sampling::frame::Frame;
 use crate::sampling::{as_uniform, hemisphere, warps};
