@@ -19,7 +19,7 @@ fn samples(material: &str, max_depth: u32, count: u32) -> Vec<f64> {
         text: &text,
     };
     let scene = gallery::from_text(source, None, |_| {}).unwrap();
-    let path = Path::new(max_depth);
+    let path = Path::from_eye(max_depth);
     let ray = scene.camera.ray(0.4, 0.6);
     let mut tracer = Tracer::new(&scene);
     let sample = |i| f64::from(path.li(&mut tracer, &ray, &Stream::new(4, i, 0)).g);
