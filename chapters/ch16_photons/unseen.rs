@@ -1,4 +1,4 @@
-//! A point in glass, and a mirror: three methods, of which one sees all.
+//! A point in glass, seen in a mirror: three methods, and only photons find all of its light.
 
 use super::scene;
 use halfdisk::integrators::{Integrator, LightTracer, Path, Photons};

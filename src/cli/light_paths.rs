@@ -15,7 +15,7 @@ pub(super) struct LightPaths {
     light_paths: Option<u32>,
 }
 
-/// More would be counted wrong in sums of `f32`.
+/// Up to here every number of paths is exact in `f32`, in which their light is scaled.
 const MOST: u32 = 1 << 24;
 
 impl LightPaths {

@@ -17,8 +17,8 @@ use std::fmt::{self, Display, Formatter};
 /// How many photons there are, and how large their discs.
 #[derive(Clone, Copy, Debug, Args)]
 pub(super) struct PhotonArgs {
-    /// Walks from the lights in each pass, of which there are as many as samples per pixel. More take noise
-    /// away in each pass, and memory [default: one for each pixel, at most 262144]
+    /// Walks from the lights in each pass; each sample per pixel is one pass. More walks mean less noise in each
+    /// pass, and more memory [default: one for each pixel, at most 262144]
     #[arg(long, value_name = "N", allow_negative_numbers = true,
         value_parser = whole(1..=Photons::MOST_WALKS), help_heading = HEADING)]
     photons: Option<u32>,

@@ -49,11 +49,7 @@ impl Ellipse {
             o.dot(d),
             o.length_squared() - 1.0,
         )?;
-        let t = if roots.near > 0.0 {
-            roots.near
-        } else {
-            roots.far
-        };
+        let t = roots.ahead();
         (t > 0.0 && t < t_max).then(|| Intersection {
             t,
             p: center + (o + d * t).normalize() * axes,

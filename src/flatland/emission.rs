@@ -24,7 +24,7 @@ impl FlatWorld {
     }
 
     /// The powers of all its lights in W, mean over channels: points, then walls that shine, then the
-    /// background, of which counts what passes a circle around all walls.
+    /// background: what of it passes a circle around all walls.
     pub fn powers(&self) -> Vec<f64> {
         let points = self.point_lights.iter().map(|light| mean(light.power));
         let walls = self

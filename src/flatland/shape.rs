@@ -146,11 +146,7 @@ impl Circle {
             from_center.dot(direction),
             from_center.length_squared() - radius * radius,
         )?;
-        let t = if roots.near > 0.0 {
-            roots.near
-        } else {
-            roots.far
-        };
+        let t = roots.ahead();
         (t > 0.0 && t < t_max).then(|| Intersection {
             t,
             p: center + (from_center + direction * t).normalize() * radius,

@@ -47,12 +47,7 @@ impl Sphere {
             from_center.dot(d),
             from_center.length_squared() - radius2,
         )?;
-        let t = if roots.near > 0.0 {
-            roots.near
-        } else {
-            roots.far
-        };
-        let t = t as f32;
+        let t = roots.ahead() as f32;
         (t > 0.0 && t <= t_max).then_some(Intersection::new(t, 0.0, 0.0))
     }
 

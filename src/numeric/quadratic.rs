@@ -9,6 +9,14 @@ pub struct Roots {
     pub far: f64,
 }
 
+impl Roots {
+    /// The smaller root that is positive, or else the larger root, positive or not.
+    #[inline(always)]
+    pub fn ahead(self) -> f64 {
+        if self.near > 0.0 { self.near } else { self.far }
+    }
+}
+
 /// Solves `a t² + 2 h t + c = 0` for real `t`; `None` where there is none or `a` is zero.
 ///
 /// * Arguments: `h` is *half* the linear coefficient, as it falls out of `|o + t d - c|² = r²`, and
