@@ -119,7 +119,7 @@ pub fn work(desk: &mut Desk) -> Result<u64, DeskError> {
     }
     let drawn = paint(desk, &scene, &made)?;
     let caption = "Direct light by shadow rays in every pixel, indirect light gathered from the patches by one ray more: the \
-                   integrator `radiosity`.";
+                   integrator radiosity.";
     desk.picture("gathered.png", caption, &drawn.film, &scene)?;
     Ok(rays + drawn.rays.total())
 }
