@@ -6,6 +6,8 @@ use halfdisk::lab::effects::by_class::by_class;
 use halfdisk::lab::effects::language::Class;
 use halfdisk::lab::effects::words::words;
 use halfdisk::notation::Expression;
+use halfdisk::render::accuracy::{Accuracy, Measure};
+use halfdisk::render::stopping::{Goal, predict, render_to};
 use halfdisk::render::{Options, Rendered, compare, render};
 use halfdisk::sampling::stream::Sampler;
 use halfdisk::scene::Scene;
@@ -181,6 +183,55 @@ fn any_number_of_light_paths_brings_the_same_light() {
     for (few, share) in [(100, 0.05), (1, 0.6)] {
         alike(&few.to_string(), with(few, 2), many, share);
     }
+}
+
+/// A pilot splits the samples between the eye and the lights so that they need fewer rays, and the picture is that of a render with as many of both.
+#[test]
+fn a_pilot_splits_the_samples_between_the_eye_and_the_lights() {
+    let flames = "[[lights]]\npoint = { position = [1, 4, -1], intensity = 20 }\n";
+    let bumpy = "[[objects]]\nmaterial = 'clear'\n\
+        bumpy_sphere = { center = [0, 1, 0], radius = 0.8, columns = 24, rows = 12 }\n";
+    let scene = scene(&[flames, bumpy]);
+    let goal = Goal {
+        error: Some(0.03),
+        ..Goal::default()
+    };
+    let options = Options {
+        seed: 1,
+        sampler: Sampler::Sobol,
+        ..Options::default()
+    };
+    let split = render_to(&scene, &Path::new(6), &options, &goal, &());
+    let said = split.prediction.unwrap();
+    let light_paths = said
+        .light_paths
+        .expect("all the noise is that of paths from the light");
+    assert!(light_paths > Path::new(6).light_paths_of(&scene));
+    let path = Path::new(6).with(light_paths);
+    assert_eq!(
+        rendered(&scene, &path, split.spp, 1).film,
+        split.rendered.film
+    );
+
+    // Who asks for a number of them gets that.
+    let usual = Path::new(6).with(Path::new(6).light_paths_of(&scene));
+    let predict = |path: &dyn Integrator| predict(&scene, path, &options, &goal, &()).unwrap();
+    assert_eq!(predict(&usual).light_paths, None);
+    let price = |path: Path| {
+        let long = rendered(&scene, &path, 2048, 2);
+        let error = Accuracy::of(&long.film).error(Measure::RootMeanSquare);
+        error * error * long.rays.total() as f64
+    };
+    let gain = price(usual) / price(path);
+    assert!(gain > 1.05, "{gain}");
+
+    // And so do the paths of a language alone.
+    let paths: Expression = TRACED.replace("LS", "LS*").parse().unwrap();
+    let filtered = FilteredPath {
+        path: Path::new(6),
+        paths: paths.eye_first(),
+    };
+    assert!(predict(&filtered).light_paths.is_some());
 }
 
 /// Points and directions: the light tracer finds the same, all of it but what is seen in glass.

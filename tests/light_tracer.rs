@@ -8,10 +8,11 @@ use halfdisk::integrators::{
 };
 use halfdisk::notation::Expression;
 use halfdisk::render::{Options, Rendered, compare, render};
-use halfdisk::sampling::stream::{Sampler, Stream};
+use halfdisk::sampling::stream::{Purpose, Sampler, Stream};
 use halfdisk::scene::gallery::{self, GALLERY};
 use halfdisk::scene::read::Source;
 use halfdisk::scene::{Scene, Tracer};
+use halfdisk::stats::Estimate;
 
 /// What [`LightTracer`] finds of a lamp with extent.
 const FOUND: &str = "L((D|S|G)*(D|G))?E";
@@ -107,6 +108,54 @@ fn mistakes_of_the_film_are_noticed() {
     };
     let without = squares(&wrong(cosine));
     assert!(without > 1.6, "{without}");
+}
+
+/// Light that is all alike in a pass, as if every photon were seen everywhere.
+struct Flicker;
+
+impl Integrator for Flicker {
+    fn li(&self, _: &mut Tracer, _: &Ray, _: &Stream) -> Rgb {
+        Rgb::BLACK
+    }
+
+    fn passes(&self, _: &Scene) -> Option<&dyn Passes> {
+        Some(self)
+    }
+}
+
+impl Passes for Flicker {
+    fn prepare<'a>(&'a self, pass: &Pass<'a>) -> Option<Prepared<'a>> {
+        let (light, _) = pass.trace(0..1, |_, stream, leave| {
+            leave(Rgb::grey(stream.at(1, Purpose::Survival).one()));
+        })?;
+        let light = vec![light[0]; pass.pixels() as usize];
+        Some(Prepared {
+            light: Some(light),
+            ..Prepared::default()
+        })
+    }
+}
+
+/// Pixels that share their light are not independent: the mean's error is not a pixel's by the root of their number.
+#[test]
+fn the_error_of_the_mean_knows_what_pixels_share() {
+    let scene = gallery::load("cornell").unwrap().sized([8; 2]);
+    let rendered = |seed| {
+        let options = Options {
+            spp: 32,
+            seed,
+            ..Options::default()
+        };
+        render(&scene, &Flicker, &options, &())
+    };
+    let of_seeds = (0..60).map(|seed| rendered(seed).mean());
+    let means: Estimate = of_seeds.clone().map(|(mean, _)| mean).collect();
+    let told: Estimate = of_seeds.map(|(_, error)| error * error).collect();
+    // The spread of 60 means is known to a tenth; by the pixels alone the error would be an eighth.
+    let ratio = means.variance().sqrt() / told.mean().sqrt();
+    assert!((0.75..1.25).contains(&ratio), "{ratio}");
+    let (_, by_pixels) = rendered(1).film.mean();
+    assert!(by_pixels < 0.2 * told.mean().sqrt(), "{by_pixels}");
 }
 
 /// A point light over glass over a floor: the caustic that no walk from the eye can find.

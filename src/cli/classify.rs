@@ -35,7 +35,7 @@ pub struct Classify {
     #[arg(long, default_value_t = 32, allow_negative_numbers = true, value_parser = whole(4_u32..=65_536))]
     spp: u32,
     /// Image size in pixels, such as 320x240 [default: the scene's, at most 256 pixels high]
-    #[arg(long, value_name = "WxH", value_parser = super::render::size)]
+    #[arg(long, value_name = "WxH", value_parser = super::choices::size)]
     size: Option<[u32; 2]>,
     /// Words to print
     #[arg(long, default_value_t = 12, allow_negative_numbers = true, value_parser = whole(0..=usize::MAX))]

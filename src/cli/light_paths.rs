@@ -10,13 +10,12 @@ use clap::Args;
 #[derive(Clone, Copy, Debug, Args)]
 pub(super) struct LightPaths {
     /// Paths from the lights in each sample of all pixels, where a scene's mirrors or glass focus light onto
-    /// what the eye sees; with 0 all light is looked for from the eye [default: one for every four pixels]
-    #[arg(long, value_name = "N", allow_negative_numbers = true, value_parser = whole(0..=MOST))]
+    /// what the eye sees; with 0 all light is looked for from the eye [default: one for every four pixels; with
+    /// --target-error as many as the pilot finds worth their rays]
+    #[arg(long, value_name = "N", allow_negative_numbers = true,
+        value_parser = whole(0..=Path::MOST_LIGHT_PATHS))]
     light_paths: Option<u32>,
 }
-
-/// Up to here every number of paths is exact in `f32`, in which their light is scaled.
-const MOST: u32 = 1 << 24;
 
 impl LightPaths {
     /// The number that was asked for.

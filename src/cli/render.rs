@@ -1,7 +1,7 @@
 //! `halfdisk render`.
 
 use super::answer::{print, to_json};
-use super::choices::{Points, by_name};
+use super::choices::{Points, by_name, size};
 use super::demand::{Demand, bias};
 use super::left_out::LeftOut;
 use super::light_paths::LightPaths;
@@ -21,7 +21,7 @@ use crate::output::{self, Display, Provenance};
 use crate::render::stopping::{Outcome, render_to};
 use crate::render::{self, Blur, Options, Rendered};
 use crate::sampling::stream::Sampler;
-use crate::scene::{Scene, build::film_size, gallery};
+use crate::scene::{Scene, gallery};
 use crate::time::Moment;
 use clap::Args;
 use std::path::PathBuf;
@@ -100,15 +100,6 @@ Examples:
       the best picture of half a minute, and how good it is
   halfdisk render mine.toml --spp 4 --json --quiet
       a first look, and the facts for a program";
-
-pub(super) fn size(text: &str) -> Result<[u32; 2], String> {
-    let (width, height) = text.split_once(['x', 'X']).unwrap_or_default();
-    let (Ok(width), Ok(height)) = (width.parse(), height.parse()) else {
-        return Err("a size is two whole numbers, such as 640x480".to_owned());
-    };
-    // The same bounds as for a scene file, but it is not the file that is wrong here.
-    film_size([width, height]).map_err(|problem| problem.what)
-}
 
 impl Render {
     pub(super) fn run(self) -> Result<(), Stop> {
@@ -197,25 +188,32 @@ impl Render {
                 white: white.unwrap_or_else(|| rendered.film.max()),
             },
         };
-        let (spp, seed) = (u64::from(outcome.spp), outcome.seed);
         let photons = made.photons();
         let mut landed = photons.map(|photons| Landed::new(photons, &scene, outcome.spp));
-        let facts = Provenance {
+        let facts_of = |scene, outcome: &Outcome| Provenance {
             sampler: self.sampler(),
-            light_paths: self.light_paths.used(self.integrator, &scene, max_depth),
+            light_paths: (outcome.prediction.and_then(|said| said.light_paths))
+                .or_else(|| self.light_paths.used(self.integrator, scene, max_depth)),
             photons: landed.map(|landed| landed.facts),
-            ..Provenance::new(&scene, self.integrator.name, max_depth, spp, seed)
+            ..Provenance::new(
+                scene,
+                self.integrator.name,
+                max_depth,
+                outcome.spp.into(),
+                outcome.seed,
+            )
         };
+        let facts = facts_of(&scene, &outcome);
         // All files first: what follows is for people, or may fail.
         let kept = output::write_somewhere(&path, &rendered.film, display, &facts)?;
         let path = &kept.path;
         let mut seen = Vec::new();
         for view in views.iter().filter(|_| !rendered.interrupted) {
             let moved = view.integrator(&scene, &made);
-            let drawn = self
-                .with(&view.scene, moved.as_ref().unwrap_or(&made))
-                .rendered;
-            output::write(&view.path, &drawn.film, display, &facts)?;
+            let drawn = self.with(&view.scene, moved.as_ref().unwrap_or(&made));
+            let its = facts_of(&view.scene, &drawn);
+            let drawn = drawn.rendered;
+            output::write(&view.path, &drawn.film, display, &its)?;
             seen.push(view.path.display().to_string());
             let black = left_out
                 .as_ref()

@@ -214,9 +214,11 @@ impl<'a> Ended<'a> {
             samples += &format!(", predicted {}", said.spp);
             time += &format!(", predicted {}", seconds(said.seconds));
         }
+        let light_paths = self.outcome.prediction.and_then(|said| said.light_paths);
+        let light_paths = light_paths.map_or_else(String::new, |n| format!(" --light-paths {n}"));
         let again = match self.outcome.stopped_by {
             StoppedBy::Interrupt => String::new(),
-            _ => format!("; the same picture comes by --spp {spp}"),
+            _ => format!("; the same picture comes by --spp {spp}{light_paths}"),
         };
         format!("\n{samples}; {time}{again}")
     }

@@ -191,4 +191,15 @@ impl Passes for FilteredPath<'_> {
             }
         })
     }
+
+    fn light_paths(&self, scene: &Scene) -> Option<u32> {
+        self.path.free_light_paths(scene)
+    }
+
+    fn with_light_paths(&self, light_paths: u32) -> Option<Box<dyn Integrator + '_>> {
+        Some(Box::new(FilteredPath {
+            path: self.path.with(light_paths),
+            ..*self
+        }))
+    }
 }

@@ -23,6 +23,17 @@ pub trait Passes: Sync {
     ///
     /// A pure function of its arguments: all randomness comes from the streams of [`Pass::trace`].
     fn prepare<'a>(&'a self, pass: &Pass<'a>) -> Option<Prepared<'a>>;
+
+    /// How many paths from the lights a pass of a scene has, where their number changes nothing but noise and cost,
+    /// and nobody asked for this one.
+    fn light_paths(&self, _scene: &Scene) -> Option<u32> {
+        None
+    }
+
+    /// The same integrator with so many in each pass, where [`Passes::light_paths`] has an answer.
+    fn with_light_paths(&self, _light_paths: u32) -> Option<Box<dyn Integrator + '_>> {
+        None
+    }
 }
 
 /// What a pass adds to the samples of its pixels, or does for them.

@@ -77,6 +77,9 @@ impl Path {
     /// rays for the same error in the scenes `caustic` and `spheres`.
     pub const PIXELS_PER_LIGHT_PATH: u32 = 4;
 
+    /// Up to here every number of paths is exact in `f32`, in which their light is scaled.
+    pub const MOST_LIGHT_PATHS: u32 = 1 << 24;
+
     /// A path tracer whose roulette starts with the fifth segment.
     pub fn new(max_depth: u32) -> Self {
         Path {
@@ -101,6 +104,21 @@ impl Path {
         match self.traces_caustics(scene) {
             true => self.light_paths.unwrap_or(usual),
             false => 0,
+        }
+    }
+
+    /// The same, where nobody asked for their number.
+    pub(super) fn free_light_paths(&self, scene: &Scene) -> Option<u32> {
+        let free = self.light_paths.is_none() && self.traces_caustics(scene);
+        free.then(|| self.light_paths_of(scene))
+    }
+
+    /// The same path tracer with so many paths from the lights.
+    #[must_use]
+    pub fn with(self, light_paths: u32) -> Path {
+        Path {
+            light_paths: Some(light_paths),
+            ..self
         }
     }
 
@@ -251,6 +269,14 @@ impl Integrator for Path {
 impl Passes for Path {
     fn prepare<'a>(&'a self, pass: &Pass<'a>) -> Option<Prepared<'a>> {
         self.caustics(pass, |_| Arrival::Counts)
+    }
+
+    fn light_paths(&self, scene: &Scene) -> Option<u32> {
+        self.free_light_paths(scene)
+    }
+
+    fn with_light_paths(&self, light_paths: u32) -> Option<Box<dyn Integrator + '_>> {
+        Some(Box::new(self.with(light_paths)))
     }
 }
 

@@ -4,93 +4,17 @@ use super::clock::Clock;
 use super::progress::Progress;
 use super::recorder::{Recorded, Recorder};
 use super::tile::{Tile, tiles};
-use super::watch::{Faults, Watch};
-use super::{BadSample, Film, Pixel};
+use super::watch::Watch;
+use super::{Film, Options, Pixel, Rendered, rounding};
 use crate::integrators::{Integrator, Pass, Prepared};
-use crate::sampling::stream::{EVEN_SAMPLES, Purpose, Sampler, even_run};
+use crate::sampling::stream::{EVEN_SAMPLES, Sampler, even_run};
 use crate::scene::{RayCounts, Scene};
+use crate::stats::Estimate;
 use crate::time::Moment;
 use rayon::prelude::*;
 use std::ops::Range;
 use std::sync::atomic::{AtomicBool, AtomicU64, Ordering};
 use std::time::Duration;
-
-/// How to render.
-#[derive(Clone, Copy, Debug)]
-pub struct Options {
-    /// Samples per pixel.
-    pub spp: u32,
-    /// The picture's seed.
-    pub seed: u64,
-    /// How the samples of a pixel lie to each other.
-    pub sampler: Sampler,
-    /// Integrals that are left out: their purposes' numbers are all 1/2 (see
-    /// [`Stream::fixing`](crate::sampling::stream::Stream::fixing)).
-    pub fixed: &'static [Purpose],
-    /// Side of the square tiles that threads take in turn, in pixels; changes no bit.
-    pub tile: u32,
-}
-
-impl Default for Options {
-    fn default() -> Self {
-        Options {
-            spp: 16,
-            seed: 0,
-            sampler: Sampler::Independent,
-            fixed: &[],
-            tile: 16,
-        }
-    }
-}
-
-/// A finished or interrupted render.
-#[derive(Clone, Debug)]
-pub struct Rendered {
-    /// The picture.
-    pub film: Film,
-    /// Rays traced.
-    pub rays: RayCounts,
-    /// Time spent in the pixel loop; zero where there is no clock.
-    pub time: Duration,
-    /// Samples that came out as NaN or infinity. They are in no mean, and never painted over.
-    pub non_finite: u64,
-    /// These and others that no light can have brought, by cause.
-    pub faults: Faults,
-    /// The first of them all in row order.
-    pub first_bad: Option<BadSample>,
-    /// The largest channel of a sample without fault.
-    pub largest: f32,
-    /// True where it was stopped before its last sample.
-    pub interrupted: bool,
-    /// The lamps that walks have met: see [`Tracer::lights_met`](crate::scene::Tracer::lights_met).
-    pub lights_met: u64,
-}
-
-impl Rendered {
-    /// True where every pixel has samples, and all of them are black.
-    pub fn is_black(&self) -> bool {
-        let black = |p: &Pixel| p.mean() == Some([0.0; 3]);
-        self.non_finite == 0 && self.film.pixels().iter().all(black)
-    }
-
-    /// The mean of the picture and its error: never less than [`rounding`] lets it be known, and infinite
-    /// where no sample found any light.
-    pub fn mean(&self) -> (f64, f64) {
-        let (mean, error) = self.film.mean();
-        let least = match mean {
-            0.0 => f64::INFINITY,
-            _ => mean.abs() * rounding(&self.rays),
-        };
-        (mean, error.max(least))
-    }
-}
-
-/// The relative error below which the scatter of samples says nothing: each sample is a product and a
-/// sum in `f32` along a path, rounded once for each segment, alike in all samples.
-pub fn rounding(rays: &RayCounts) -> f64 {
-    let segments = (rays.camera + rays.secondary) as f64 / rays.camera.max(1) as f64;
-    0.5 * f64::from(f32::EPSILON) * segments
-}
 
 /// Renders a scene on the threads of the current rayon pool.
 pub fn render(
@@ -116,9 +40,7 @@ pub fn record<R: Recorder>(
     session.advance(options.spp, progress);
     Recorded {
         pictures: (0..recorder.pictures())
-            .map(|i| {
-                session.picture(|tile| tile.further.iter().skip(i).step_by(recorder.pictures()))
-            })
+            .map(|i| session.further(i))
             .collect(),
         notes: session.tiles.iter().map(|t| t.notes.clone()).collect(),
         rendered: session.finish(),
@@ -132,8 +54,7 @@ pub struct Session<'a, R: Recorder + ?Sized = dyn Integrator + 'a> {
     recorder: &'a R,
     options: Options,
     tiles: Vec<Tile<R::Notes>>,
-    /// Those of what passes prepare.
-    pass_rays: RayCounts,
+    prepared: OfPasses,
     spp: u32,
     time: Duration,
     interrupted: bool,
@@ -147,7 +68,7 @@ impl<'a, R: Recorder + ?Sized> Session<'a, R> {
             recorder,
             options: *options,
             tiles: tiles(scene.size, options.tile.max(1), recorder.pictures()),
-            pass_rays: RayCounts::default(),
+            prepared: OfPasses::default(),
             spp: 0,
             time: Duration::ZERO,
             interrupted: false,
@@ -180,7 +101,7 @@ impl<'a, R: Recorder + ?Sized> Session<'a, R> {
                 stop: &stop,
                 tell: &tell,
             };
-            if !shots.take(pass, &mut self.tiles, &mut self.pass_rays) {
+            if !shots.take(pass, &mut self.tiles, &mut self.prepared) {
                 interrupted.store(true, Ordering::Relaxed);
             }
         }
@@ -226,7 +147,7 @@ impl<'a, R: Recorder + ?Sized> Session<'a, R> {
             let Some(pass) = passes(self.spp, most).next() else {
                 break;
             };
-            let (mut tiles, mut pass_rays) = (self.tiles.clone(), self.pass_rays);
+            let (mut tiles, mut prepared) = (self.tiles.clone(), self.prepared);
             let shots = Shots {
                 scene,
                 recorder,
@@ -234,12 +155,12 @@ impl<'a, R: Recorder + ?Sized> Session<'a, R> {
                 stop: &stop,
                 tell: &|_| (),
             };
-            let whole = shots.take(pass.clone(), &mut tiles, &mut pass_rays);
+            let whole = shots.take(pass.clone(), &mut tiles, &mut prepared);
             late = clock.late();
             if !late {
                 // Who stops a render keeps what there is.
                 self.interrupted = !whole;
-                (self.tiles, self.pass_rays) = (tiles, pass_rays);
+                (self.tiles, self.prepared) = (tiles, prepared);
                 self.spp = pass.end;
             }
             clock.tell();
@@ -268,8 +189,14 @@ impl<'a, R: Recorder + ?Sized> Session<'a, R> {
         rounding(&self.rays())
     }
 
-    fn rays(&self) -> RayCounts {
-        let mut rays = self.pass_rays;
+    /// The rays of what passes prepared so far.
+    pub(super) fn pass_rays(&self) -> RayCounts {
+        self.prepared.rays
+    }
+
+    /// All rays so far.
+    pub(super) fn rays(&self) -> RayCounts {
+        let mut rays = self.prepared.rays;
         self.tiles.iter().for_each(|tile| rays += tile.rays);
         rays
     }
@@ -277,6 +204,12 @@ impl<'a, R: Recorder + ?Sized> Session<'a, R> {
     /// The picture so far.
     pub fn film(&self) -> Film {
         self.picture(|tile| tile.pixels.iter())
+    }
+
+    /// Further picture `i` so far.
+    pub(super) fn further(&self, i: usize) -> Film {
+        let pictures = self.recorder.pictures();
+        self.picture(|tile| tile.further.iter().skip(i).step_by(pictures))
     }
 
     /// The picture of some pixels of each tile, row by row.
@@ -312,8 +245,18 @@ impl<'a, R: Recorder + ?Sized> Session<'a, R> {
             largest: watch.largest,
             interrupted: self.interrupted,
             lights_met: self.tiles.iter().fold(0, |met, tile| met | tile.lights_met),
+            passes: self.prepared.means,
         }
     }
+}
+
+/// What is known of passes for which something was prepared.
+#[derive(Clone, Copy, Debug, Default)]
+struct OfPasses {
+    /// The rays that this took.
+    rays: RayCounts,
+    /// The mean of the picture by each alone.
+    means: Estimate,
 }
 
 /// What all samples of a picture have in common.
@@ -332,7 +275,7 @@ impl<R: Recorder + ?Sized> Shots<'_, R> {
         &self,
         pass: Range<u32>,
         tiles: &mut [Tile<R::Notes>],
-        pass_rays: &mut RayCounts,
+        of_passes: &mut OfPasses,
     ) -> bool {
         let Some(passes) = self.recorder.passes(self.scene) else {
             return self.of_tiles(pass, &Prepared::default(), tiles);
@@ -348,8 +291,14 @@ impl<R: Recorder + ?Sized> Shots<'_, R> {
                 stop: self.stop,
             });
             prepared.is_some_and(|prepared| {
-                *pass_rays += prepared.rays;
-                self.of_tiles(sample..sample + 1, &prepared, tiles)
+                of_passes.rays += prepared.rays;
+                let whole = self.of_tiles(sample..sample + 1, &prepared, tiles);
+                if whole && self.options.sampler == Sampler::Independent {
+                    let pixels: usize = tiles.iter().map(|tile| tile.pixels.len()).sum();
+                    let sum: f64 = tiles.iter().map(|tile| tile.sum).sum();
+                    of_passes.means.add(sum / pixels as f64);
+                }
+                whole
             })
         })
     }

@@ -46,6 +46,10 @@ pub struct Prediction {
     /// True where the pilot has random numbers of its own; false where it is the beginning of the picture
     /// itself, and its word changes nothing.
     pub separate: bool,
+    /// Paths from the lights in each sample of all pixels, where other than the usual number promise the same
+    /// error for fewer rays.
+    #[serde(skip)]
+    pub light_paths: Option<u32>,
 }
 
 /// How far a render got.

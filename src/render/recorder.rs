@@ -24,9 +24,12 @@ pub trait Recorder: Sync {
         None
     }
 
-    /// Records the light of such a pass that arrives in the pixel of a sample, after [`Recorder::record`].
+    /// Records the light of such a pass that arrives in the pixel of a sample, in W/(m² sr), after
+    /// [`Recorder::record`]; `splats` are its parts, where [`Prepared::splats`](crate::integrators::Prepared) has
+    /// them.
     fn arrive(
         &self,
+        _light: Rgb,
         _splats: impl Iterator<Item = Splat>,
         _parts: &mut [Rgb],
         _notes: &mut Self::Notes,

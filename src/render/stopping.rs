@@ -23,6 +23,7 @@ use crate::sampling::stream::{EVEN_SAMPLES, Sampler};
 use crate::scene::Scene;
 
 mod pilot;
+mod split;
 mod words;
 mod worth;
 
@@ -85,6 +86,9 @@ pub fn render_to(
         }
     }
     prediction.iter().for_each(|said| progress.predicted(said));
+    let split = prediction.and_then(|said| said.light_paths);
+    let split = split.and_then(|paths| integrator.passes(scene)?.with_light_paths(paths));
+    let integrator = split.as_deref().unwrap_or(integrator);
 
     let mut aim = match prediction {
         // Then the clock counts the samples.
@@ -182,6 +186,7 @@ fn foresee(
         error: error * (f64::from(spp) / f64::from(all)).sqrt(),
         limited_by: StoppedBy::Time,
         separate: false,
+        light_paths: None,
     };
     progress.predicted(&said);
     Some(said)

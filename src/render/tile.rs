@@ -23,6 +23,8 @@ pub(super) struct Tile<Notes> {
     pub(super) rays: RayCounts,
     pub(super) watch: Watch,
     pub(super) lights_met: u64,
+    /// Of the last pass: its samples' means over the channels, added up.
+    pub(super) sum: f64,
 }
 
 /// The tiles of an image, whose samples are in `further` more pictures, too.
@@ -47,6 +49,7 @@ pub(super) fn tiles<Notes: Default>(
                 rays: RayCounts::default(),
                 watch: Watch::default(),
                 lights_met: 0,
+                sum: 0.0,
             }
         })
         .collect()
@@ -72,6 +75,7 @@ impl<Notes> Tile<Notes> {
         let mut parts = vec![Rgb::BLACK; pictures];
         let mut further = self.further.as_mut_slice();
         let mut whole = true;
+        self.sum = 0.0;
         'pixels: for (y, row) in self.y.clone().zip(self.pixels.chunks_mut(self.x.len())) {
             for (x, pixel) in self.x.clone().zip(row) {
                 let (own, rest) = further.split_at_mut(pictures);
@@ -89,11 +93,13 @@ impl<Notes> Tile<Notes> {
                     };
                     if let Some(light) = &prepared.light {
                         let number = y * scene.size[0] + x;
-                        li += light[number as usize];
-                        recorder.arrive(prepared.splats.of(number), &mut parts, notes);
+                        let light = light[number as usize];
+                        li += light;
+                        recorder.arrive(light, prepared.splats.of(number), &mut parts, notes);
                     }
                     if self.watch.admits(li, BadSample { x, y, sample }) {
                         pixel.add(li);
+                        self.sum += f64::from(li.mean());
                         own.iter_mut().zip(&parts).for_each(|(p, li)| p.add(*li));
                     }
                 }

@@ -4,7 +4,7 @@ mod page;
 mod text;
 
 use super::answer::{answer, to_json};
-use super::render::size;
+use super::choices::size;
 use super::{
     Bytes, Stop, check_folder, drawn, folder, note_slow_build, reduced, save, use_threads,
 };

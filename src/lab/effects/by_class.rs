@@ -59,7 +59,7 @@ impl Recorder for ByClass {
         self.path.traces_caustics(scene).then_some(self)
     }
 
-    fn arrive(&self, splats: impl Iterator<Item = Splat>, parts: &mut [Rgb], _: &mut ()) {
+    fn arrive(&self, _: Rgb, splats: impl Iterator<Item = Splat>, parts: &mut [Rgb], _: &mut ()) {
         // Added up as in the whole picture, so that each is the picture of its class alone.
         let mut sums = [[0.0_f64; 3]; Class::ALL.len()];
         for splat in splats {

@@ -141,7 +141,7 @@ impl Recorder for Spelling<'_> {
         self.0.traces_caustics(scene).then_some(self)
     }
 
-    fn arrive(&self, splats: impl Iterator<Item = Splat>, _: &mut [Rgb], sums: &mut Sums) {
+    fn arrive(&self, _: Rgb, splats: impl Iterator<Item = Splat>, _: &mut [Rgb], sums: &mut Sums) {
         splats.for_each(|splat| book(sums, splat.path, splat.light));
     }
 }

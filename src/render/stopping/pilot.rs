@@ -1,13 +1,14 @@
 //! A short render with random numbers of its own that tells what a long one will take.
 
 use super::MOST_SAMPLES;
+use super::split::{InParts, Split};
 use super::worth::Worth;
 use super::{TIME_SHARE, own_error, whole};
 use crate::integrators::Integrator;
 use crate::render::accuracy::Accuracy;
 use crate::render::clock::Clock;
 use crate::render::goal::{Goal, Pilot, Prediction, StoppedBy};
-use crate::render::{Options, Progress, Rendered, Session};
+use crate::render::{Options, Progress, Recorder, Rendered, Session};
 use crate::sampling::stream::{EVEN_SAMPLES, Sampler};
 use crate::scene::Scene;
 
@@ -70,14 +71,40 @@ pub(super) fn pilot(
     clock: Option<&Clock>,
     progress: &dyn Progress,
 ) -> Result<Prediction, Unfinished> {
-    let own_clock = clock.map(|clock| clock.share(TIME_SHARE));
     let options = Options {
         seed: pilot_seed(options.seed),
         spp: LEAST,
         ..*options
     };
-    let mut session = Session::new(scene, integrator, &options);
+    let passes = integrator.passes(scene);
+    match passes.and_then(|passes| passes.light_paths(scene)) {
+        None => {
+            let session = Session::new(scene, integrator, &options);
+            watch(session, |_| None, &options, goal, clock, progress)
+        }
+        Some(light_paths) => {
+            let parts = InParts(integrator);
+            let session = Session::new(scene, &parts, &options);
+            let split = |session: &Session<_>| Split::better(session, light_paths);
+            watch(session, split, &options, goal, clock, progress)
+        }
+    }
+}
+
+/// Takes a pilot's samples, and looks at it after 32, 64, 128 ... until it has seen enough.
+///
+/// * `split`: the better split of the work, where there is one, as far as the pilot can tell.
+fn watch<R: Recorder + ?Sized>(
+    mut session: Session<R>,
+    split: impl Fn(&Session<R>) -> Option<Split>,
+    options: &Options,
+    goal: &Goal,
+    clock: Option<&Clock>,
+    progress: &dyn Progress,
+) -> Result<Prediction, Unfinished> {
+    let own_clock = clock.map(|clock| clock.share(TIME_SHARE));
     let mut looks: Vec<Pilot> = Vec::new();
+    let mut better = None;
     let mut before = f64::INFINITY;
     let mut spp = FIRST;
     loop {
@@ -93,7 +120,8 @@ pub(super) fn pilot(
         }
         let left = clock.map(|clock| clock.left().as_secs_f64());
         if late {
-            let said = (!looks.is_empty()).then(|| predicted(&looks, &options, goal, left, false));
+            let said =
+                (!looks.is_empty()).then(|| predicted(&looks, better, options, goal, left, false));
             return said.ok_or(Unfinished::Late);
         }
         let film = session.film();
@@ -106,7 +134,8 @@ pub(super) fn pilot(
         progress.piloted(&look);
         looks.push(look);
         let blind = look.error.is_infinite() || look.error <= session.rounding();
-        let prediction = predicted(&looks, &options, goal, left, blind);
+        better = split(&session);
+        let prediction = predicted(&looks, better, options, goal, left, blind);
         let need = f64::from(prediction.spp);
         let share = f64::from(spp) / need;
         let steady = (need / before - 1.0).abs() < STEADY && look.uncertainty < SURE;
@@ -136,14 +165,16 @@ fn known(x: f64) -> f64 {
 /// and `blind` where the last look saw no noise, or none that rounding does not make.
 fn predicted(
     looks: &[Pilot],
+    split: Option<Split>,
     options: &Options,
     goal: &Goal,
     left: Option<f64>,
     blind: bool,
 ) -> Prediction {
     let last = looks[looks.len() - 1];
-    let per_sample = last.seconds / f64::from(last.spp);
-    let worth = Worth::new(looks, options.sampler);
+    let (square, cost) = split.map_or((1.0, 1.0), |split| (split.square, split.rays));
+    let per_sample = cost * last.seconds / f64::from(last.spp);
+    let worth = square * Worth::new(looks, options.sampler);
     let most = f64::from(MOST_SAMPLES);
     let (for_error, for_what) = match goal.error {
         // More would not change it: as many as the pilot.
@@ -172,6 +203,7 @@ fn predicted(
         },
         limited_by,
         separate: true,
+        light_paths: split.map(|split| split.light_paths),
     }
 }
 

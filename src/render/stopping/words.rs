@@ -25,6 +25,10 @@ impl Display for Prediction {
             seconds(self.seconds),
             error(self.error),
         )?;
+        if let Some(paths) = self.light_paths {
+            let paths = count(paths as usize, "path", "paths");
+            write!(f, ", {paths} from the lights in each")?;
+        }
         match self.limited_by {
             StoppedBy::Time => write!(f, "; the time there is allows no more"),
             StoppedBy::Samples => write!(f, "; a pixel may have no more"),

@@ -5,6 +5,7 @@
 
 use crate::render::goal::Pilot;
 use crate::sampling::stream::Sampler;
+use std::ops::Mul;
 
 /// The squared error of a run of 16, 32 and 64 samples, times its samples.
 #[derive(Clone, Copy, Debug)]
@@ -71,6 +72,19 @@ impl Worth {
             spp = (spp * self.square(spp) / square).max(1.0);
         }
         spp
+    }
+}
+
+/// Samples of so many times the squared error.
+impl Mul<Worth> for f64 {
+    type Output = Worth;
+
+    fn mul(self, worth: Worth) -> Worth {
+        Worth {
+            of_16: self * worth.of_16,
+            of_32: self * worth.of_32,
+            of_64: self * worth.of_64,
+        }
     }
 }
 

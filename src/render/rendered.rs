@@ -1,0 +1,65 @@
+//! What a render leaves.
+
+use super::{BadSample, Faults, Film, Pixel};
+use crate::scene::RayCounts;
+use crate::stats::Estimate;
+use std::time::Duration;
+
+/// A finished or interrupted render.
+#[derive(Clone, Debug)]
+pub struct Rendered {
+    /// The picture.
+    pub film: Film,
+    /// Rays traced.
+    pub rays: RayCounts,
+    /// Time spent in the pixel loop; zero where there is no clock.
+    pub time: Duration,
+    /// Samples that came out as NaN or infinity. They are in no mean, and never painted over.
+    pub non_finite: u64,
+    /// These and others that no light can have brought, by cause.
+    pub faults: Faults,
+    /// The first of them all in row order.
+    pub first_bad: Option<BadSample>,
+    /// The largest channel of a sample without fault.
+    pub largest: f32,
+    /// True where it was stopped before its last sample.
+    pub interrupted: bool,
+    /// The lamps that walks have met: see [`Tracer::lights_met`](crate::scene::Tracer::lights_met).
+    pub lights_met: u64,
+    /// The mean of the picture by each pass alone, where something was prepared for it and samples are
+    /// independent; without values elsewhere.
+    pub passes: Estimate,
+}
+
+impl Rendered {
+    /// True where every pixel has samples, and all of them are black.
+    pub fn is_black(&self) -> bool {
+        let black = |p: &Pixel| p.mean() == Some([0.0; 3]);
+        self.non_finite == 0 && self.film.pixels().iter().all(black)
+    }
+
+    /// The mean of the picture and its error: never less than [`rounding`] lets it be known, and infinite
+    /// where no sample found any light.
+    ///
+    /// Where light of one path comes to many pixels, these are not independent, and the means of whole passes
+    /// tell the error.
+    pub fn mean(&self) -> (f64, f64) {
+        let (mean, of_pixels) = self.film.mean();
+        let error = match &self.passes {
+            passes if passes.count() >= 2 => of_pixels.max(passes.std_error()),
+            _ => of_pixels,
+        };
+        let least = match mean {
+            0.0 => f64::INFINITY,
+            _ => mean.abs() * rounding(&self.rays),
+        };
+        (mean, error.max(least))
+    }
+}
+
+/// The relative error below which the scatter of samples says nothing: each sample is a product and a
+/// sum in `f32` along a path, rounded once for each segment, alike in all samples.
+pub fn rounding(rays: &RayCounts) -> f64 {
+    let segments = (rays.camera + rays.secondary) as f64 / rays.camera.max(1) as f64;
+    0.5 * f64::from(f32::EPSILON) * segments
+}
