@@ -83,7 +83,7 @@ impl Split {
         if !best.is_normal() || light_paths == 0 {
             return None;
         }
-        let doublings = (best.log2().round() as i32).clamp(-FARTHEST, FARTHEST);
+        let doublings = (libm::log2(best).round() as i32).clamp(-FARTHEST, FARTHEST);
         let paths = (f64::from(light_paths) * 2_f64.powi(doublings)).round();
         let light_paths_then = paths.clamp(1.0, f64::from(Path::MOST_LIGHT_PATHS)) as u32;
         let factor = f64::from(light_paths_then) / f64::from(light_paths);
