@@ -38,6 +38,7 @@ mod peers;
 mod photons;
 mod radiosity;
 mod random_scenes;
+mod resume;
 mod six_integrals;
 mod stopping;
 mod table;

@@ -12,14 +12,17 @@ mod cost;
 mod demand;
 mod doctor;
 mod effects;
+mod info;
 mod left_out;
 mod light_paths;
 mod maps;
 mod page;
 mod patching;
 mod photons;
+mod picture;
 mod render;
 mod report;
+mod resume;
 mod scenes;
 mod stop;
 mod tour;
@@ -51,6 +54,8 @@ Start here:
   halfdisk effects caustic            what does this scene call for, and why?
   halfdisk classify cornell           how much of its light came by which paths?
   halfdisk render spheres --target-error 2%
+  halfdisk render --resume mine.exr --spp 1024
+  halfdisk info mine.exr               how was it made, and how is it made again?
   halfdisk converge half-disk         how fast does its error fall?
   halfdisk cost cornell               what does accuracy cost?
   halfdisk doctor                     what do the usual mistakes read?";
@@ -61,6 +66,8 @@ enum Action {
     Tour(tour::Tour),
     /// Render a scene
     Render(Box<render::Render>),
+    /// Say how a picture was made, and print the command that makes it again
+    Info(info::Info),
     /// List the scenes of the gallery, or show one's file
     Scenes(scenes::Scenes),
     /// Measure how fast the error of an estimator falls
@@ -92,6 +99,7 @@ impl Command {
         let result = match self.action {
             Action::Tour(tour) => tour.run(),
             Action::Render(render) => render.run(),
+            Action::Info(info) => info.run(),
             Action::Scenes(scenes) => scenes.run(),
             Action::Converge(converge) => converge.run(),
             Action::Cost(cost) => cost.run(),

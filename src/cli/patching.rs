@@ -56,11 +56,11 @@ pub(super) struct Patching {
     /// Patches, at most: both sides of every surface count that can matter [default: 1000]
     #[arg(long, value_name = "N", allow_negative_numbers = true, value_parser = whole(1..=usize::MAX),
         conflicts_with = "patch_size", help_heading = HEADING)]
-    patches: Option<usize>,
+    pub patches: Option<usize>,
     /// The longest edge of a patch, in scene units
     #[arg(long, value_name = "LENGTH", allow_negative_numbers = true, value_parser = length,
         help_heading = HEADING)]
-    patch_size: Option<f64>,
+    pub patch_size: Option<f64>,
 }
 
 const HEADING: &str = "Patches";

@@ -9,18 +9,18 @@ use super::maps::Maps;
 use super::patching::{Patched, Patching};
 use super::photons::{Landed, PhotonArgs};
 use super::report::Report;
+use super::resume::{Resumed, SETTINGS};
 use super::stop::{Ended, Ending};
 use super::views::Views;
-use super::{Stop, note_slow_build, stem, use_threads};
+use super::{Stop, note_slow_build, use_threads};
 use crate::integrators::{
     Entry, FilteredPath, Integrator, Path as PathTracer, RarelyAsked, Settings, Shows, rarely_asked,
 };
 use crate::lab::chapter::{Bar, on_ctrl_c, tell, whole};
 use crate::lab::effects::measure::Setup;
 use crate::output::{self, Display, Provenance};
-use crate::render::stopping::{Outcome, render_to};
-use crate::render::{self, Blur, Options, Rendered};
-use crate::sampling::stream::Sampler;
+use crate::render::stopping::{Outcome, render_from};
+use crate::render::{self, Blur, Options, Rendered, State, Tally};
 use crate::scene::{Scene, gallery};
 use crate::time::Moment;
 use clap::Args;
@@ -34,54 +34,59 @@ use std::path::PathBuf;
 #[command(after_help = AFTER_HELP)]
 pub struct Render {
     /// A scene of the gallery (see `halfdisk scenes`), or a path to a .toml file
-    scene: String,
+    #[arg(required_unless_present = "resume")]
+    pub(super) scene: Option<String>,
+    /// Go on with the render whose picture this .exr file holds, with its settings, to --spp, --target-error or
+    /// --time: to the bytes of a render that never stopped. SCENE only where its file has moved; --out is this file
+    #[arg(long, value_name = "FILE", conflicts_with_all = SETTINGS)]
+    pub(super) resume: Option<PathBuf>,
     /// How light is computed
     #[arg(long, value_name = "NAME", default_value = PathTracer::ENTRY.name, value_parser = by_name())]
-    integrator: Entry,
+    pub(super) integrator: Entry,
     #[command(flatten)]
-    ending: Ending,
+    pub(super) ending: Ending,
     /// Longest path in segments: the camera ray is the first, the one to the light the last
     /// [default: the scene's suggestion]
     #[arg(long, allow_negative_numbers = true, value_parser = whole(1_u32..=100_000))]
-    max_depth: Option<u32>,
+    pub(super) max_depth: Option<u32>,
     /// How the samples of a pixel lie to each other [default: sobol for path, else independent]
     #[arg(long, value_enum)]
-    sampler: Option<Points>,
+    pub(super) sampler: Option<Points>,
     /// Image size in pixels, such as 640x480 [default: the scene's]
     #[arg(long, value_name = "WxH", value_parser = size)]
-    size: Option<[u32; 2]>,
+    pub(super) size: Option<[u32; 2]>,
     /// Seed of all random numbers: the same seed gives the same bytes
     #[arg(long, default_value_t = 0, allow_negative_numbers = true, value_parser = whole(0..=u64::MAX))]
-    seed: u64,
+    pub(super) seed: u64,
     /// Threads to render on; changes no bit of the picture [default: one for each core]
     #[arg(long, allow_negative_numbers = true, value_parser = whole(1_u16..=1024))]
-    threads: Option<u16>,
+    pub(super) threads: Option<u16>,
     /// The picture: .png for screens, .exr with errors and sample counts, .hdr
     /// [default: out/FILE.png after the scene's file; by another integrator than path out/FILE-NAME.png]
     #[arg(long, value_name = "FILE")]
-    out: Option<PathBuf>,
+    pub(super) out: Option<PathBuf>,
     #[command(flatten)]
-    light_paths: LightPaths,
+    pub(super) light_paths: LightPaths,
     #[command(flatten)]
-    patching: Patching,
+    pub(super) patching: Patching,
     #[command(flatten)]
-    photons: PhotonArgs,
+    pub(super) photons: PhotonArgs,
     #[command(flatten)]
-    views: Views,
+    pub(super) views: Views,
     #[command(flatten)]
-    maps: Maps,
+    pub(super) maps: Maps,
     /// Print what was rendered as JSON, to stdout
     #[arg(long)]
-    json: bool,
+    pub(super) json: bool,
     /// Keep every effect at work, those that the scene lacks at no strength: the same picture,
     /// later. For comparisons
     #[arg(long)]
-    all_effects: bool,
+    pub(super) all_effects: bool,
     /// No progress bar and no report
     #[arg(long, short)]
-    quiet: bool,
+    pub(super) quiet: bool,
     #[command(flatten)]
-    demand: Demand,
+    pub(super) demand: Demand,
 }
 
 const AFTER_HELP: &str = "\
@@ -106,7 +111,17 @@ impl Render {
         if !self.quiet {
             note_slow_build();
         }
-        let mut whole = gallery::load(&self.scene)?;
+        match self.resume.clone() {
+            None => self.go_on(None),
+            Some(file) => self
+                .resumed(&file)
+                .and_then(|(render, from)| render.go_on(Some(&from))),
+        }
+    }
+
+    /// Renders, from the beginning or from where another render ended.
+    fn go_on(self, from: Option<&Resumed>) -> Result<(), Stop> {
+        let mut whole = gallery::load(self.scene())?;
         if let Some(size) = self.size {
             whole = whole.sized(size);
         }
@@ -127,6 +142,8 @@ impl Render {
                 self.integrator.name
             )));
         }
+        let fingerprint = scene.fingerprint().ok();
+        from.map_or(Ok(()), |from| from.check(&scene, fingerprint.as_deref()))?;
         if self.all_effects {
             scene = scene.with_all_effects();
         }
@@ -175,7 +192,7 @@ impl Render {
                 tell(notes.trim_end());
             }
         }
-        let outcome = self.with(&scene, &made);
+        let outcome = self.with(&scene, &made, from.map(|from| &from.state));
         let rendered = &outcome.rendered;
         if rendered.interrupted && rendered.film.pixels().iter().all(|p| p.count() == 0) {
             tell("interrupted before the first sample: nothing is written");
@@ -203,14 +220,19 @@ impl Render {
                 outcome.seed,
             )
         };
-        let facts = facts_of(&scene, &outcome);
+        let facts = Provenance {
+            command: self.again(&scene, &facts_of(&scene, &outcome)),
+            fingerprint,
+            tally: Some(Tally::from(rendered)),
+            ..facts_of(&scene, &outcome)
+        };
         // All files first: what follows is for people, or may fail.
         let kept = output::write_somewhere(&path, &rendered.film, display, &facts)?;
         let path = &kept.path;
         let mut seen = Vec::new();
         for view in views.iter().filter(|_| !rendered.interrupted) {
             let moved = view.integrator(&scene, &made);
-            let drawn = self.with(&view.scene, moved.as_ref().unwrap_or(&made));
+            let drawn = self.with(&view.scene, moved.as_ref().unwrap_or(&made), None);
             let its = facts_of(&view.scene, &drawn);
             let drawn = drawn.rendered;
             output::write(&view.path, &drawn.film, display, &its)?;
@@ -317,10 +339,10 @@ impl Render {
         })
     }
 
-    fn with(&self, scene: &Scene, integrator: &impl Integrator) -> Outcome {
+    fn with(&self, scene: &Scene, integrator: &impl Integrator, from: Option<&State>) -> Outcome {
         let options = self.options(self.ending.spp(scene.suggested.spp));
         let bar = self.bar(&scene.name);
-        render_to(scene, integrator, &options, &self.ending.goal(), &bar)
+        render_from(from, scene, integrator, &options, &self.ending.goal(), &bar)
     }
 
     fn options(&self, spp: u32) -> Options {
@@ -362,36 +384,5 @@ impl Render {
         };
         let bound = scene.brightest(longest);
         bound.map_or(0, |bound| render::too_bright(&rendered.film, bound))
-    }
-
-    /// Where the picture goes.
-    fn path(&self) -> PathBuf {
-        self.out.clone().unwrap_or_else(|| {
-            let mut name = stem(&self.scene);
-            if self.integrator != PathTracer::ENTRY {
-                name += &format!("-{}", self.integrator.name);
-            }
-            name += &self.demand.suffix();
-            PathBuf::from("out").join(name + ".png")
-        })
-    }
-
-    fn sampler(&self) -> Sampler {
-        match self.sampler {
-            Some(Points::Sobol) => Sampler::Sobol,
-            None if self.integrator == PathTracer::ENTRY => Sampler::Sobol,
-            _ => Sampler::Independent,
-        }
-    }
-
-    fn max_depth(&self, scene: &Scene) -> Result<u32, Stop> {
-        let Entry { name, longest, .. } = self.integrator;
-        match self.max_depth {
-            Some(depth) if depth > longest => Err(Stop::Input(format!(
-                "--max-depth {depth}: the paths of `{name}` end after {longest} segments at the latest"
-            ))),
-            Some(depth) => Ok(depth),
-            None => Ok(scene.suggested.max_depth.min(longest)),
-        }
     }
 }

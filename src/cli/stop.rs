@@ -85,6 +85,14 @@ fn units(text: &str) -> Option<f64> {
 }
 
 impl Ending {
+    /// This end, or else another.
+    pub(super) fn or(self, other: Ending) -> Ending {
+        match (self.spp, self.target_error, self.time) {
+            (None, None, None) => other,
+            _ => self,
+        }
+    }
+
     /// Samples per pixel where nothing else ends the render.
     pub(super) fn spp(&self, suggested: u32) -> u32 {
         self.spp.unwrap_or(suggested)

@@ -1,9 +1,12 @@
 //! OpenEXR: 32-bit floats, with errors and sample counts as further channels.
 
+use super::state_file::{self, Facts, Summary};
 use super::{OutputError, Provenance};
 use crate::render::{Film, Pixel};
 use exr::prelude::*;
 use std::io::Cursor;
+
+pub(super) use super::state_file::read;
 
 /// A film as an EXR file.
 ///
@@ -12,6 +15,8 @@ use std::io::Cursor;
 /// samples from the scatter of their runs); the layer `samples.Y` how many finite samples the pixel
 /// has. A pixel without one is NaN. The provenance is the text attribute `halfdisk`: a single attribute, because the
 /// order of several is not stable from run to run.
+///
+/// With [`Provenance::tally`] it has the exact state of the render, too: see [`state_file`].
 pub fn bytes(film: &Film, provenance: &Provenance) -> std::result::Result<Vec<u8>, OutputError> {
     encode(film, provenance).map_err(|e| OutputError::Encoding("EXR".to_owned(), e))
 }
@@ -23,7 +28,7 @@ fn encode(film: &Film, provenance: &Provenance) -> std::result::Result<Vec<u8>, 
     };
     let mean = |i: usize| move |p: &Pixel| p.mean().map_or(f64::NAN, |m| m[i]);
     let error = |i: usize| move |p: &Pixel| p.std_errors()[i];
-    let channels = [
+    let mut channels = vec![
         channel("R", &mean(0)),
         channel("G", &mean(1)),
         channel("B", &mean(2)),
@@ -32,8 +37,18 @@ fn encode(film: &Film, provenance: &Provenance) -> std::result::Result<Vec<u8>, 
         channel("error.B", &error(2)),
         channel("samples.Y", &|p| p.count() as f64),
     ];
-
-    let facts = serde_json::to_string(provenance).map_err(|e| e.to_string())?;
+    let mut facts = Facts {
+        provenance: provenance.clone(),
+        state: None,
+    };
+    if let Some(tally) = &provenance.tally {
+        channels.extend(state_file::channels(film));
+        facts.state = Some(Summary {
+            tally: *tally,
+            checksum: state_file::checksum(film, provenance, tally)?,
+        });
+    }
+    let facts = serde_json::to_string(&facts).map_err(|e| e.to_string())?;
     let mut attributes = LayerAttributes::default();
     attributes.other.insert(
         Text::from("halfdisk"),

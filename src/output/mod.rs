@@ -4,14 +4,18 @@
 mod exr_file;
 mod file;
 mod hdr_file;
+mod made;
 mod png_file;
 mod read;
+#[cfg(feature = "programs")]
+mod state_file;
 
 pub use file::{can_save, save};
+pub use made::made;
 pub use png_file::png_bytes;
 pub use read::read;
 
-use crate::render::Film;
+use crate::render::{Film, Tally};
 use crate::sampling::stream::Sampler;
 use crate::scene::Scene;
 use std::io;
@@ -30,7 +34,7 @@ pub enum Display {
 }
 
 /// What made a picture; written into the file where its format can hold it.
-#[derive(Clone, Debug, serde::Serialize)]
+#[derive(Clone, Debug, PartialEq, serde::Serialize, serde::Deserialize)]
 pub struct Provenance {
     /// Program and version.
     pub software: String,
@@ -52,10 +56,20 @@ pub struct Provenance {
     /// The photons of a picture that has some.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub photons: Option<PhotonFacts>,
+    /// The fingerprint of the scene: see [`Scene::fingerprint`].
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub fingerprint: Option<String>,
+    /// The arguments of `halfdisk` that make this picture again.
+    #[serde(skip_serializing_if = "Vec::is_empty", default)]
+    pub command: Vec<String>,
+    /// What is known of all samples together. With it an EXR file keeps the exact state of the render, from which it
+    /// can go on.
+    #[serde(skip)]
+    pub tally: Option<Tally>,
 }
 
 /// The photons of a picture.
-#[derive(Clone, Copy, Debug, PartialEq, serde::Serialize)]
+#[derive(Clone, Copy, Debug, PartialEq, serde::Serialize, serde::Deserialize)]
 pub struct PhotonFacts {
     /// Walks from the lights in each pass.
     pub walks: u32,
@@ -76,6 +90,9 @@ impl Provenance {
             sampler: Sampler::Independent,
             light_paths: None,
             photons: None,
+            fingerprint: None,
+            command: Vec::new(),
+            tally: None,
         }
     }
 }

@@ -1,9 +1,14 @@
 //! EXR pictures without the feature `programs`: there are none.
 
 use super::{OutputError, Provenance};
-use crate::render::Film;
+use crate::render::{Film, State};
+
+const WHY: &str = "halfdisk was built without its feature `programs`";
 
 pub(super) fn bytes(_: &Film, _: &Provenance) -> Result<Vec<u8>, OutputError> {
-    let why = "halfdisk was built without its feature `programs`".to_owned();
-    Err(OutputError::Encoding("EXR".to_owned(), why))
+    Err(OutputError::Encoding("EXR".to_owned(), WHY.to_owned()))
+}
+
+pub(super) fn read(_: &[u8]) -> Result<(Provenance, Option<State>), String> {
+    Err(format!("is an EXR picture, and {WHY}"))
 }

@@ -3,6 +3,7 @@
 use super::{Display, OutputError, Provenance};
 use crate::color::{quantise, srgb_encode};
 use crate::render::{Film, Pixel};
+use std::io::Cursor;
 
 /// The colour of pixels that have not a single finite sample: magenta, which no one overlooks.
 const NO_SAMPLE: [u8; 3] = [255, 0, 255];
@@ -45,6 +46,19 @@ fn encode(film: &Film, display: Display, provenance: &Provenance) -> Result<Vec<
         .map_err(|e| e.to_string())?;
     writer.finish().map_err(|e| e.to_string())?;
     Ok(bytes)
+}
+
+/// What made the picture of a PNG file.
+pub(super) fn provenance(bytes: &[u8]) -> Result<Provenance, String> {
+    let reader = png::Decoder::new(Cursor::new(bytes)).read_info();
+    let reader = reader.map_err(|e| format!("is no PNG picture that can be read: {e}"))?;
+    let mut texts = reader.info().utf8_text.iter();
+    let text = texts
+        .find(|text| text.keyword == "halfdisk")
+        .ok_or("was not written by halfdisk")?;
+    let text = text.get_text().map_err(|e| e.to_string())?;
+    serde_json::from_str(&text)
+        .map_err(|e| format!("was written by another version of halfdisk: {e}"))
 }
 
 fn shade(pixel: &Pixel, display: Display) -> [u8; 3] {

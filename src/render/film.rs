@@ -15,6 +15,8 @@ pub struct Pixel {
     pub runs: [Estimate; 3],
     /// How many samples those runs have together.
     pub in_runs: u64,
+    /// How many samples were taken, with those that were not finite.
+    pub taken: u32,
 }
 
 impl Pixel {
@@ -71,7 +73,7 @@ impl Pixel {
 }
 
 /// Where a sample came out as NaN or infinity: enough to trace it again.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, serde::Serialize)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, serde::Serialize, serde::Deserialize)]
 pub struct BadSample {
     /// Column, from the left.
     pub x: u32,

@@ -5,7 +5,7 @@ use super::progress::Progress;
 use super::recorder::{Recorded, Recorder};
 use super::tile::{Tile, tiles};
 use super::watch::Watch;
-use super::{Film, Options, Pixel, Rendered, rounding};
+use super::{Film, Options, Pixel, Rendered, State, rounding};
 use crate::integrators::{Integrator, Pass, Prepared};
 use crate::sampling::stream::{EVEN_SAMPLES, Sampler, even_run};
 use crate::scene::{RayCounts, Scene};
@@ -73,6 +73,44 @@ impl<'a, R: Recorder + ?Sized> Session<'a, R> {
             time: Duration::ZERO,
             interrupted: false,
         }
+    }
+
+    /// A render that goes on from a state: its picture will be that of one that never stopped, bit for bit, where
+    /// scene, recorder, seed and sampler are the same.
+    ///
+    /// # Panics
+    ///
+    /// Where the state's picture is of another size, or the recorder has further pictures or notes, which a state
+    /// does not hold.
+    pub fn resume(scene: &'a Scene, recorder: &'a R, options: &Options, state: &State) -> Self {
+        assert_eq!([state.film.width(), state.film.height()], scene.size);
+        assert!(recorder.pictures() == 0 && size_of::<R::Notes>() == 0);
+        let mut session = Session::new(scene, recorder, options);
+        let tally = &state.tally;
+        for tile in &mut session.tiles {
+            let places = tile
+                .y
+                .clone()
+                .flat_map(|y| tile.x.clone().map(move |x| [x, y]));
+            let pixels = tile.pixels.iter_mut().zip(places);
+            pixels.for_each(|(pixel, [x, y])| *pixel = *state.film.pixel(x, y));
+        }
+        // Sums over all tiles: one of them holds what came before.
+        if let Some(first) = session.tiles.first_mut() {
+            first.rays = tally.rays - tally.pass_rays;
+            first.watch = Watch {
+                faults: tally.faults,
+                first: tally.first_bad,
+                largest: tally.largest,
+            };
+            first.lights_met = tally.lights_met;
+        }
+        session.prepared = OfPasses {
+            rays: tally.pass_rays,
+            means: tally.passes,
+        };
+        session.spp = state.spp();
+        session
     }
 
     /// Goes on until each pixel has `spp` samples; does nothing where they have more, or where it was
@@ -233,11 +271,17 @@ impl<'a, R: Recorder + ?Sized> Session<'a, R> {
 
     /// The end of it.
     pub fn finish(self) -> Rendered {
+        self.rendered()
+    }
+
+    /// What there is so far.
+    pub fn rendered(&self) -> Rendered {
         let mut watch = Watch::default();
         self.tiles.iter().for_each(|tile| watch.join(tile.watch));
         Rendered {
             film: self.film(),
             rays: self.rays(),
+            pass_rays: self.prepared.rays,
             time: self.time,
             non_finite: watch.faults.non_finite(),
             faults: watch.faults,

@@ -12,6 +12,8 @@ pub struct Rendered {
     pub film: Film,
     /// Rays traced.
     pub rays: RayCounts,
+    /// Those of them that passes prepared.
+    pub pass_rays: RayCounts,
     /// Time spent in the pixel loop; zero where there is no clock.
     pub time: Duration,
     /// Samples that came out as NaN or infinity. They are in no mean, and never painted over.

@@ -17,7 +17,7 @@
 
 use super::accuracy::{Accuracy, Measure};
 use super::clock::Clock;
-use super::{Film, Options, Progress, Rendered, Session, rounding};
+use super::{Film, Options, Progress, Rendered, Session, State, rounding};
 use crate::integrators::Integrator;
 use crate::sampling::stream::{EVEN_SAMPLES, Sampler};
 use crate::scene::Scene;
@@ -76,6 +76,18 @@ pub fn render_to(
     goal: &Goal,
     progress: &dyn Progress,
 ) -> Outcome {
+    render_from(None, scene, integrator, options, goal, progress)
+}
+
+/// The same from where another render ended, if any: see [`Session::resume`].
+pub fn render_from(
+    from: Option<&State>,
+    scene: &Scene,
+    integrator: &dyn Integrator,
+    options: &Options,
+    goal: &Goal,
+    progress: &dyn Progress,
+) -> Outcome {
     let clock = goal.time.map(|time| Clock::new(time, progress));
     let mut prediction = None;
     if goal.error.is_some() {
@@ -102,7 +114,10 @@ pub fn render_to(
         ..*options
     };
     let most = aim.saturating_mul(LONGEST).min(MOST_SAMPLES);
-    let mut session = Session::new(scene, integrator, &options);
+    let mut session = match from {
+        None => Session::new(scene, integrator, &options),
+        Some(state) => Session::resume(scene, integrator, &options, state),
+    };
     if let (Some(clock), None) = (&clock, prediction) {
         prediction = foresee(&mut session, clock, &options, goal.measure, progress);
     }
@@ -160,6 +175,7 @@ fn foresee(
     progress: &dyn Progress,
 ) -> Option<Prediction> {
     let early = clock.share(TIME_SHARE);
+    let before = session.spp();
     while !early.late() || session.spp() < 2 {
         let late = session.advance_within(session.spp() + 1, MOST_SAMPLES, clock, progress);
         if late || session.interrupted() || session.spp() == MOST_SAMPLES {
@@ -172,7 +188,7 @@ fn foresee(
         false => own_error(&session.film(), measure, session.rounding()),
     };
     let left = clock.left().as_secs_f64();
-    let more = (left / seconds * f64::from(spp)).min(f64::from(MOST_SAMPLES - spp));
+    let more = (left / seconds * f64::from(spp - before)).min(f64::from(MOST_SAMPLES - spp));
     let all = whole(spp + more as u32, options.sampler).max(spp);
     let said = Prediction {
         pilot: Pilot {

@@ -80,7 +80,8 @@ impl<Notes> Tile<Notes> {
             for (x, pixel) in self.x.clone().zip(row) {
                 let (own, rest) = further.split_at_mut(pictures);
                 further = rest;
-                for sample in pass.clone() {
+                // What a picture had that is taken further is not taken again.
+                for sample in pass.start.max(pixel.taken)..pass.end {
                     whole = !stop();
                     if !whole {
                         break 'pixels;
@@ -97,6 +98,7 @@ impl<Notes> Tile<Notes> {
                         li += light;
                         recorder.arrive(light, prepared.splats.of(number), &mut parts, notes);
                     }
+                    pixel.taken = sample + 1;
                     if self.watch.admits(li, BadSample { x, y, sample }) {
                         pixel.add(li);
                         self.sum += f64::from(li.mean());

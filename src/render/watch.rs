@@ -5,7 +5,7 @@ use crate::color::Rgb;
 use std::ops::AddAssign;
 
 /// Samples that no light can have brought, by what was wrong with them.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, serde::Serialize)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, serde::Serialize, serde::Deserialize)]
 pub struct Faults {
     /// A channel that is no number: 0 / 0, ∞ - ∞, a root of something negative.
     pub nan: u64,

@@ -36,7 +36,7 @@ pub enum Purpose {
 }
 
 /// How the points of a pixel's samples lie to each other, dimension by dimension.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, serde::Serialize)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, serde::Serialize, serde::Deserialize)]
 #[serde(rename_all = "lowercase")]
 pub enum Sampler {
     /// Each without regard to the others. Their scatter tells the error of their mean.

@@ -14,6 +14,7 @@ pub mod description;
 mod effects;
 mod facets;
 pub mod field;
+mod fingerprint;
 mod focusing;
 pub mod gallery;
 pub mod image_file;

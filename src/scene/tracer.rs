@@ -7,10 +7,10 @@ use crate::geometry::{ClosestHit, Ray, Surface};
 use crate::lights::{EmissionChoice, EmissionSample, EmissionUniforms, Incident, LightSample};
 use crate::sampling::stream::{Purpose, Stream};
 use glam::Vec3;
-use std::ops::AddAssign;
+use std::ops::{AddAssign, Sub};
 
 /// Rays asked for, by what they were for.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, serde::Serialize)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, serde::Serialize, serde::Deserialize)]
 pub struct RayCounts {
     /// Rays from the camera.
     pub camera: u64,
@@ -24,6 +24,18 @@ impl RayCounts {
     /// All of them.
     pub fn total(&self) -> u64 {
         self.camera + self.secondary + self.shadow
+    }
+}
+
+impl Sub for RayCounts {
+    type Output = RayCounts;
+
+    fn sub(self, part: RayCounts) -> RayCounts {
+        RayCounts {
+            camera: self.camera - part.camera,
+            secondary: self.secondary - part.secondary,
+            shadow: self.shadow - part.shadow,
+        }
     }
 }
 

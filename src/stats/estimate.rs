@@ -1,6 +1,6 @@
 //! A mean with its error, gathered one sample at a time.
 
-use serde::Serialize;
+use serde::{Deserialize, Serialize};
 
 /// The running mean and variance of a sequence of numbers.
 ///
@@ -19,7 +19,7 @@ use serde::Serialize;
 /// assert_eq!(dice.mean(), 3.5);
 /// assert_eq!(dice.variance(), 3.5);
 /// ```
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct Estimate {
     count: u64,
     mean: f64,
@@ -129,6 +129,17 @@ impl Estimate {
             mean: self.mean + delta * share,
             m2: self.m2 + other.m2 + delta * delta * self.count as f64 * share,
         }
+    }
+
+    /// How many samples, their mean, and the sum of their squared distances from it: all that
+    /// [`Estimate::from_parts`] needs for the same estimate.
+    pub fn parts(&self) -> (u64, f64, f64) {
+        (self.count, self.mean, self.m2)
+    }
+
+    /// The estimate of so many samples with this mean and this sum of squared distances from it.
+    pub fn from_parts(count: u64, mean: f64, m2: f64) -> Self {
+        Estimate { count, mean, m2 }
     }
 
     /// How many samples were added.

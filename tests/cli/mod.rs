@@ -12,6 +12,7 @@ mod left_out;
 pub mod meshes;
 mod odd_scenes;
 mod options;
+mod resume;
 mod target;
 pub mod textured_meshes;
 mod unheard;

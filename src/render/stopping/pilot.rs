@@ -32,6 +32,10 @@ const LONG: u32 = 1024;
 const LONG_SHARE: f64 = 1.0 / 8.0;
 /// ... and one of so many in any case: what it says is wanted before the render is half done.
 const LONGEST: u32 = 4096;
+/// Where light is traced from its sources, for mirrors or glass focus it, a pilot takes so many samples of the
+/// whole picture at least: of what is focused and seen in a mirror or through glass, one path of ten thousands may find
+/// all, and a pilot that met none of them would promise far too much.
+const MANY: u32 = 1 << 19;
 
 /// The seed of the pilot of a picture.
 pub fn pilot_seed(seed: u64) -> u64 {
@@ -77,16 +81,21 @@ pub(super) fn pilot(
         ..*options
     };
     let passes = integrator.passes(scene);
+    let [width, height] = scene.size;
+    let least = match passes {
+        Some(_) => (MANY / width.saturating_mul(height)).clamp(FIRST, LONG),
+        None => FIRST,
+    };
     match passes.and_then(|passes| passes.light_paths(scene)) {
         None => {
             let session = Session::new(scene, integrator, &options);
-            watch(session, |_| None, &options, goal, clock, progress)
+            watch(session, |_| None, least, &options, goal, clock, progress)
         }
         Some(light_paths) => {
             let parts = InParts(integrator);
             let session = Session::new(scene, &parts, &options);
             let split = |session: &Session<_>| Split::better(session, light_paths);
-            watch(session, split, &options, goal, clock, progress)
+            watch(session, split, least, &options, goal, clock, progress)
         }
     }
 }
@@ -94,9 +103,11 @@ pub(super) fn pilot(
 /// Takes a pilot's samples, and looks at it after 32, 64, 128 ... until it has seen enough.
 ///
 /// * `split`: the better split of the work, where there is one, as far as the pilot can tell.
+/// * `least`: samples that are too few to have seen enough if they are fewer.
 fn watch<R: Recorder + ?Sized>(
     mut session: Session<R>,
     split: impl Fn(&Session<R>) -> Option<Split>,
+    least: u32,
     options: &Options,
     goal: &Goal,
     clock: Option<&Clock>,
@@ -148,7 +159,7 @@ fn watch<R: Recorder + ?Sized>(
         let late = own_clock
             .as_ref()
             .is_some_and(|clock| clock.left() < clock.elapsed());
-        if enough || late || blind {
+        if enough && spp >= least || late || blind {
             return Ok(prediction);
         }
         before = need;
