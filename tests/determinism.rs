@@ -17,6 +17,7 @@ const OPTIONS: Options = Options {
     sampler: Sampler::Independent,
     fixed: &[],
     tile: 16,
+    shard: None,
 };
 
 fn small(name: &str, change: impl FnOnce(&mut Description)) -> Scene {

@@ -19,6 +19,7 @@ const OPTIONS: Options = Options {
     sampler: Sampler::Independent,
     fixed: &[],
     tile: 4,
+    shard: None,
 };
 
 /// Whitted's integrator, but certain samples come out as something else.

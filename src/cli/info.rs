@@ -3,7 +3,6 @@
 use super::Stop;
 use super::answer::answer;
 use crate::output::{self, Provenance};
-use crate::render::State;
 use clap::Args;
 use serde::Serialize;
 use std::fmt::{self, Display, Formatter};
@@ -27,7 +26,7 @@ struct Made {
     /// The size in pixels, where the file has the state of the render.
     size: Option<[u32; 2]>,
     /// The samples that every pixel has; `None` where the file does not say.
-    complete_spp: Option<u32>,
+    complete_spp: Option<u64>,
 }
 
 impl Info {
@@ -36,9 +35,9 @@ impl Info {
         let state = state.as_ref();
         let made = Made {
             file: self.file.display().to_string(),
-            facts,
             size: state.map(|state| [state.film.width(), state.film.height()]),
-            complete_spp: state.map(State::spp),
+            complete_spp: state.map(|state| u64::from(state.spp(facts.shard)).min(facts.spp)),
+            facts,
         };
         answer(&made, self.json)
     }
@@ -61,11 +60,17 @@ impl Display for Made {
             f,
             "{spp} samples per pixel, seed {seed}, paths of at most {max_depth} segments"
         )?;
+        if let Some(shard) = facts.shard {
+            writeln!(
+                f,
+                "shard {shard}: a part of the picture, for halfdisk merge"
+            )?;
+        }
         if let Some(fingerprint) = &facts.fingerprint {
             writeln!(f, "fingerprint of the scene: {fingerprint}")?;
         }
         if let Some(complete) = self.complete_spp {
-            let is_whole = u64::from(complete) >= *spp;
+            let is_whole = complete >= *spp;
             if !is_whole {
                 writeln!(
                     f,

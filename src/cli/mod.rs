@@ -4,6 +4,7 @@
 //! input, 130 interrupted by Ctrl-C, 143 asked to terminate. A report that nobody can read ends nothing.
 
 mod answer;
+mod checkpoint;
 mod choices;
 mod classify;
 mod completions;
@@ -15,7 +16,9 @@ mod effects;
 mod info;
 mod left_out;
 mod light_paths;
+mod long;
 mod maps;
+mod merge;
 mod page;
 mod patching;
 mod photons;
@@ -68,6 +71,8 @@ enum Action {
     Render(Box<render::Render>),
     /// Say how a picture was made, and print the command that makes it again
     Info(info::Info),
+    /// Put the shards of a picture together
+    Merge(merge::Merge),
     /// List the scenes of the gallery, or show one's file
     Scenes(scenes::Scenes),
     /// Measure how fast the error of an estimator falls
@@ -100,6 +105,7 @@ impl Command {
             Action::Tour(tour) => tour.run(),
             Action::Render(render) => render.run(),
             Action::Info(info) => info.run(),
+            Action::Merge(merge) => merge.run(),
             Action::Scenes(scenes) => scenes.run(),
             Action::Converge(converge) => converge.run(),
             Action::Cost(cost) => cost.run(),

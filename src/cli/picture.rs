@@ -1,10 +1,12 @@
-//! Which picture `halfdisk render` is asked for: where it goes, how it is made, and the command that makes it again.
+//! The picture of `halfdisk render`: where it goes, how it is made, the command that makes it again, and what is
+//! wrong with it.
 
 use super::choices::Points;
 use super::render::Render;
 use super::{Stop, stem};
-use crate::integrators::{Entry, Path as PathTracer};
+use crate::integrators::{Entry, Path as PathTracer, RarelyAsked, rarely_asked};
 use crate::output::Provenance;
+use crate::render::{self, Rendered};
 use crate::sampling::stream::Sampler;
 use crate::scene::Scene;
 use std::path::PathBuf;
@@ -82,6 +84,35 @@ impl Render {
         if self.all_effects {
             all.push("--all-effects".to_owned());
         }
+        // Last, so that the whole picture's is what comes before it.
+        if let Some(shard) = facts.shard {
+            all.extend(["--shard".to_owned(), shard.to_string()]);
+        }
         all
+    }
+
+    /// Lights that the choice of one at each surface hardly meets in this picture.
+    pub(super) fn rarely_asked(
+        &self,
+        scene: &Scene,
+        rendered: &Rendered,
+        max_depth: u32,
+    ) -> Option<RarelyAsked> {
+        let samples = rendered.film.pixels().iter().map(|p| p.count()).sum();
+        let aims_at_one = self.integrator == PathTracer::ENTRY;
+        aims_at_one.then(|| rarely_asked(scene, max_depth, samples))?
+    }
+
+    /// Pixels that show more light than there can be.
+    pub(super) fn too_bright(&self, scene: &Scene, rendered: &Rendered, max_depth: u32) -> usize {
+        if self.integrator.finds().is_none() {
+            return 0;
+        }
+        let longest = match self.integrator.is_endless {
+            true => u32::MAX,
+            false => max_depth,
+        };
+        let bound = scene.brightest(longest);
+        bound.map_or(0, |bound| render::too_bright(&rendered.film, bound))
     }
 }

@@ -1,30 +1,31 @@
 //! `halfdisk render`.
 
 use super::answer::{print, to_json};
+use super::checkpoint::Keeper;
 use super::choices::{Points, by_name, size};
 use super::demand::{Demand, bias};
 use super::left_out::LeftOut;
 use super::light_paths::LightPaths;
+use super::long::Long;
 use super::maps::Maps;
 use super::patching::{Patched, Patching};
 use super::photons::{Landed, PhotonArgs};
 use super::report::Report;
-use super::resume::{Resumed, SETTINGS};
+use super::resume::Resumed;
 use super::stop::{Ended, Ending};
 use super::views::Views;
 use super::{Stop, note_slow_build, use_threads};
-use crate::integrators::{
-    Entry, FilteredPath, Integrator, Path as PathTracer, RarelyAsked, Settings, Shows, rarely_asked,
-};
+use crate::integrators::{Entry, FilteredPath, Integrator, Path as PathTracer, Settings, Shows};
 use crate::lab::chapter::{Bar, on_ctrl_c, tell, whole};
 use crate::lab::effects::measure::Setup;
 use crate::output::{self, Display, Provenance};
 use crate::render::stopping::{Outcome, render_from};
-use crate::render::{self, Blur, Options, Rendered, State, Tally};
+use crate::render::{Blur, Options, Progress, State, Tally};
 use crate::scene::{Scene, gallery};
 use crate::time::Moment;
 use clap::Args;
 use std::path::PathBuf;
+use std::sync::OnceLock;
 
 /// Render a scene.
 ///
@@ -36,10 +37,6 @@ pub struct Render {
     /// A scene of the gallery (see `halfdisk scenes`), or a path to a .toml file
     #[arg(required_unless_present = "resume")]
     pub(super) scene: Option<String>,
-    /// Go on with the render whose picture this .exr file holds, with its settings, to --spp, --target-error or
-    /// --time: to the bytes of a render that never stopped. SCENE only where its file has moved; --out is this file
-    #[arg(long, value_name = "FILE", conflicts_with_all = SETTINGS)]
-    pub(super) resume: Option<PathBuf>,
     /// How light is computed
     #[arg(long, value_name = "NAME", default_value = PathTracer::ENTRY.name, value_parser = by_name())]
     pub(super) integrator: Entry,
@@ -86,6 +83,8 @@ pub struct Render {
     #[arg(long, short)]
     pub(super) quiet: bool,
     #[command(flatten)]
+    pub(super) long: Long,
+    #[command(flatten)]
     pub(super) demand: Demand,
 }
 
@@ -111,7 +110,7 @@ impl Render {
         if !self.quiet {
             note_slow_build();
         }
-        match self.resume.clone() {
+        match self.long.resume.clone() {
             None => self.go_on(None),
             Some(file) => self
                 .resumed(&file)
@@ -160,6 +159,7 @@ impl Render {
         // Checked before any work, so that none is lost to a misspelt name or a closed folder.
         let path = self.path();
         output::prepare(&path, &scene)?;
+        self.long.check(&path)?;
         let views = self.views.of(&scene, &path)?;
         for map in self.maps.pictures(&path) {
             output::prepare(&map, &scene)?;
@@ -192,7 +192,34 @@ impl Render {
                 tell(notes.trim_end());
             }
         }
-        let outcome = self.with(&scene, &made, from.map(|from| &from.state));
+        let facts_of = |scene: &Scene, spp: u32, seed: u64, split: Option<u32>| Provenance {
+            sampler: self.sampler(),
+            light_paths: split.or_else(|| self.light_paths.used(self.integrator, scene, max_depth)),
+            photons: made
+                .photons()
+                .map(|photons| Landed::new(photons, scene, spp).facts),
+            shard: self.long.shard,
+            ..Provenance::new(scene, self.integrator.name, max_depth, spp.into(), seed)
+        };
+        let whole_facts = |spp, seed, split| {
+            let facts = facts_of(&scene, spp, seed, split);
+            let command = self.again(&scene, &facts);
+            let fingerprint = fingerprint.clone();
+            Provenance {
+                command,
+                fingerprint,
+                ..facts
+            }
+        };
+        let keeper = Keeper {
+            bar: self.bar(&scene.name),
+            every: self.long.checkpoint,
+            path: &path,
+            facts: &|spp, split| whole_facts(spp, self.seed, split),
+            light_paths: OnceLock::new(),
+        };
+        let outcome = self.with(&scene, &made, from.map(|from| &from.state), &keeper);
+        let split = outcome.prediction.and_then(|said| said.light_paths);
         let rendered = &outcome.rendered;
         if rendered.interrupted && rendered.film.pixels().iter().all(|p| p.count() == 0) {
             tell("interrupted before the first sample: nothing is written");
@@ -207,24 +234,9 @@ impl Render {
         };
         let photons = made.photons();
         let mut landed = photons.map(|photons| Landed::new(photons, &scene, outcome.spp));
-        let facts_of = |scene, outcome: &Outcome| Provenance {
-            sampler: self.sampler(),
-            light_paths: (outcome.prediction.and_then(|said| said.light_paths))
-                .or_else(|| self.light_paths.used(self.integrator, scene, max_depth)),
-            photons: landed.map(|landed| landed.facts),
-            ..Provenance::new(
-                scene,
-                self.integrator.name,
-                max_depth,
-                outcome.spp.into(),
-                outcome.seed,
-            )
-        };
         let facts = Provenance {
-            command: self.again(&scene, &facts_of(&scene, &outcome)),
-            fingerprint,
             tally: Some(Tally::from(rendered)),
-            ..facts_of(&scene, &outcome)
+            ..whole_facts(outcome.spp, outcome.seed, split)
         };
         // All files first: what follows is for people, or may fail.
         let kept = output::write_somewhere(&path, &rendered.film, display, &facts)?;
@@ -232,8 +244,10 @@ impl Render {
         let mut seen = Vec::new();
         for view in views.iter().filter(|_| !rendered.interrupted) {
             let moved = view.integrator(&scene, &made);
-            let drawn = self.with(&view.scene, moved.as_ref().unwrap_or(&made), None);
-            let its = facts_of(&view.scene, &drawn);
+            let bar = self.bar(&view.scene.name);
+            let drawn = self.with(&view.scene, moved.as_ref().unwrap_or(&made), None, &bar);
+            let split = drawn.prediction.and_then(|said| said.light_paths);
+            let its = facts_of(&view.scene, drawn.spp, drawn.seed, split);
             let drawn = drawn.rendered;
             output::write(&view.path, &drawn.film, display, &its)?;
             seen.push(view.path.display().to_string());
@@ -339,10 +353,22 @@ impl Render {
         })
     }
 
-    fn with(&self, scene: &Scene, integrator: &impl Integrator, from: Option<&State>) -> Outcome {
+    fn with(
+        &self,
+        scene: &Scene,
+        integrator: &impl Integrator,
+        from: Option<&State>,
+        progress: &dyn Progress,
+    ) -> Outcome {
         let options = self.options(self.ending.spp(scene.suggested.spp));
-        let bar = self.bar(&scene.name);
-        render_from(from, scene, integrator, &options, &self.ending.goal(), &bar)
+        render_from(
+            from,
+            scene,
+            integrator,
+            &options,
+            &self.ending.goal(),
+            progress,
+        )
     }
 
     fn options(&self, spp: u32) -> Options {
@@ -350,6 +376,7 @@ impl Render {
             spp,
             seed: self.seed,
             sampler: self.sampler(),
+            shard: self.long.shard,
             ..Options::default()
         }
     }
@@ -359,30 +386,5 @@ impl Render {
             true => Bar::hidden(on_ctrl_c()),
             false => Bar::new(what, on_ctrl_c()),
         }
-    }
-
-    /// Lights that the choice of one at each surface hardly meets in this picture.
-    fn rarely_asked(
-        &self,
-        scene: &Scene,
-        rendered: &Rendered,
-        max_depth: u32,
-    ) -> Option<RarelyAsked> {
-        let samples = rendered.film.pixels().iter().map(|p| p.count()).sum();
-        let aims_at_one = self.integrator == PathTracer::ENTRY;
-        aims_at_one.then(|| rarely_asked(scene, max_depth, samples))?
-    }
-
-    /// Pixels that show more light than there can be.
-    fn too_bright(&self, scene: &Scene, rendered: &Rendered, max_depth: u32) -> usize {
-        if self.integrator.finds().is_none() {
-            return 0;
-        }
-        let longest = match self.integrator.is_endless {
-            true => u32::MAX,
-            false => max_depth,
-        };
-        let bound = scene.brightest(longest);
-        bound.map_or(0, |bound| render::too_bright(&rendered.film, bound))
     }
 }

@@ -1,5 +1,6 @@
 //! `halfdisk render --resume`: goes on where a render ended.
 
+use super::long::Long;
 use super::render::Render;
 use super::{Action, Command, Stop};
 use crate::output::{self, Provenance};
@@ -7,24 +8,6 @@ use crate::render::State;
 use crate::scene::Scene;
 use clap::Parser;
 use std::path::Path;
-
-/// The settings that a file has already: none of them may be given again.
-pub(super) const SETTINGS: [&str; 14] = [
-    "integrator",
-    "max_depth",
-    "sampler",
-    "size",
-    "seed",
-    "light_paths",
-    "patches",
-    "patch_size",
-    "photons",
-    "radius",
-    "files",
-    "paths",
-    "without",
-    "all_effects",
-];
 
 /// Where a render ended.
 pub(super) struct Resumed {
@@ -55,10 +38,10 @@ impl Render {
         };
         let ending = self.ending.or(made.ending);
         let asked = ending.spp(0);
-        if asked > 0 && asked <= state.spp() {
+        let has = u64::from(state.spp(facts.shard)).min(facts.spp);
+        if asked > 0 && u64::from(asked) <= has {
             return Err(refuse(format!(
-                "has {} samples per pixel already; --spp, --target-error or --time say how far to go",
-                state.spp()
+                "has {has} samples per pixel already; --spp, --target-error or --time say how far to go"
             )));
         }
         let render = Render {
@@ -69,6 +52,10 @@ impl Render {
             maps: self.maps,
             json: self.json,
             quiet: self.quiet,
+            long: Long {
+                shard: made.long.shard,
+                ..self.long
+            },
             ..*made
         };
         Ok((

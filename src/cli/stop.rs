@@ -54,7 +54,7 @@ fn share(text: &str) -> Result<f64, String> {
 }
 
 /// A time: `500ms`, `30s`, `5m`, `1h30m`, or seconds.
-fn time(text: &str) -> Result<Duration, String> {
+pub(super) fn time(text: &str) -> Result<Duration, String> {
     let allowed = units(text).filter(|&s| s > 0.0 && s < 1e9);
     let time = allowed.and_then(|s| Duration::try_from_secs_f64(s).ok());
     time.ok_or_else(|| "a time above 0 is written as 500ms, 30s, 5m or 1h30m".to_owned())

@@ -15,7 +15,7 @@ pub use made::made;
 pub use png_file::png_bytes;
 pub use read::read;
 
-use crate::render::{Film, Tally};
+use crate::render::{Film, Shard, Tally};
 use crate::sampling::stream::Sampler;
 use crate::scene::Scene;
 use std::io;
@@ -56,6 +56,9 @@ pub struct Provenance {
     /// The photons of a picture that has some.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub photons: Option<PhotonFacts>,
+    /// The share of the picture's tiles that the file has; `None` for all.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub shard: Option<Shard>,
     /// The fingerprint of the scene: see [`Scene::fingerprint`].
     #[serde(skip_serializing_if = "Option::is_none")]
     pub fingerprint: Option<String>,
@@ -90,6 +93,7 @@ impl Provenance {
             sampler: Sampler::Independent,
             light_paths: None,
             photons: None,
+            shard: None,
             fingerprint: None,
             command: Vec::new(),
             tally: None,

@@ -98,7 +98,7 @@ fn pixel(all: &[u32; ALL]) -> Pixel {
 
 /// The channels of the state of a film.
 pub(super) fn channels(film: &Film) -> Vec<AnyChannel<FlatSamples>> {
-    let mut columns: Vec<Vec<u32>> = vec![Vec::with_capacity(film.pixels().len()); ALL];
+    let mut columns = [const { Vec::new() }; ALL];
     for pixel in film.pixels() {
         columns
             .iter_mut()

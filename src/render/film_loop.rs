@@ -56,6 +56,8 @@ pub struct Session<'a, R: Recorder + ?Sized = dyn Integrator + 'a> {
     tiles: Vec<Tile<R::Notes>>,
     prepared: OfPasses,
     spp: u32,
+    /// Those that it had already when it went on.
+    spp_before: u32,
     time: Duration,
     interrupted: bool,
 }
@@ -67,9 +69,10 @@ impl<'a, R: Recorder + ?Sized> Session<'a, R> {
             scene,
             recorder,
             options: *options,
-            tiles: tiles(scene.size, options.tile.max(1), recorder.pictures()),
+            tiles: tiles(scene.size, options, recorder.pictures()),
             prepared: OfPasses::default(),
             spp: 0,
+            spp_before: 0,
             time: Duration::ZERO,
             interrupted: false,
         }
@@ -98,18 +101,15 @@ impl<'a, R: Recorder + ?Sized> Session<'a, R> {
         // Sums over all tiles: one of them holds what came before.
         if let Some(first) = session.tiles.first_mut() {
             first.rays = tally.rays - tally.pass_rays;
-            first.watch = Watch {
-                faults: tally.faults,
-                first: tally.first_bad,
-                largest: tally.largest,
-            };
+            first.watch = Watch::from(*tally);
             first.lights_met = tally.lights_met;
         }
         session.prepared = OfPasses {
             rays: tally.pass_rays,
             means: tally.passes,
         };
-        session.spp = state.spp();
+        session.spp = state.spp(options.shard);
+        session.spp_before = session.spp;
         session
     }
 
@@ -121,7 +121,11 @@ impl<'a, R: Recorder + ?Sized> Session<'a, R> {
     pub fn advance(&mut self, spp: u32, progress: &dyn Progress) {
         let start = Moment::now();
         let (scene, recorder, options) = (self.scene, self.recorder, &self.options);
-        let pixels = u64::from(scene.size[0]) * u64::from(scene.size[1]);
+        let pixels = self
+            .tiles
+            .iter()
+            .map(|tile| tile.pixels.len() as u64)
+            .sum::<u64>();
         let total = pixels * u64::from(spp.max(options.spp));
         let done = AtomicU64::new(pixels * u64::from(self.spp));
         let interrupted = AtomicBool::new(self.interrupted);
@@ -210,6 +214,12 @@ impl<'a, R: Recorder + ?Sized> Session<'a, R> {
     /// The samples of each pixel so far, or, once interrupted, at most.
     pub fn spp(&self) -> u32 {
         self.spp
+    }
+
+    /// Samples of each pixel in a second; `None` before the first.
+    pub(super) fn rate(&self) -> Option<f64> {
+        let samples = self.spp - self.spp_before;
+        (samples > 0).then(|| f64::from(samples) / self.time.as_secs_f64())
     }
 
     /// Time spent in the pixel loop so far; zero where there is no clock.

@@ -1,5 +1,6 @@
 //! How a picture's samples are taken.
 
+use super::Shard;
 use crate::sampling::stream::{Purpose, Sampler};
 
 /// How to render.
@@ -16,6 +17,8 @@ pub struct Options {
     pub fixed: &'static [Purpose],
     /// Side of the square tiles that threads take in turn, in pixels; changes no bit.
     pub tile: u32,
+    /// Only a share of the picture's tiles; `None` for all.
+    pub shard: Option<Shard>,
 }
 
 impl Default for Options {
@@ -26,6 +29,7 @@ impl Default for Options {
             sampler: Sampler::Independent,
             fixed: &[],
             tile: 16,
+            shard: None,
         }
     }
 }

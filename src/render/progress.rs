@@ -1,5 +1,6 @@
 //! Who watches a render.
 
+use super::Rendered;
 use super::goal::{Pilot, Prediction, Reached};
 use crate::time::Moment;
 use std::time::Duration;
@@ -21,6 +22,12 @@ pub trait Progress: Sync {
     fn predicted(&self, _: &Prediction) {}
     /// A render to a goal got so far.
     fn reached(&self, _: &Reached) {}
+    /// How much time may pass between two calls of [`Progress::keep`]; `None` where nobody keeps anything.
+    fn keeps_every(&self) -> Option<Duration> {
+        None
+    }
+    /// A render got so far, on its way to `spp` samples per pixel.
+    fn keep(&self, _: &Rendered, _spp: u32) {}
 }
 
 /// Nobody watches and nobody stops.

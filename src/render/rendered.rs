@@ -47,8 +47,12 @@ impl Rendered {
     /// tell the error.
     pub fn mean(&self) -> (f64, f64) {
         let (mean, of_pixels) = self.film.mean();
+        let samples = self.film.pixels().iter().map(|pixel| pixel.count()).max();
         let error = match &self.passes {
-            passes if passes.count() >= 2 => of_pixels.max(passes.std_error()),
+            // All passes are alike, though those of a render that went on are known only from there.
+            passes if passes.count() >= 2 => {
+                of_pixels.max((passes.variance() / samples.unwrap_or(1) as f64).sqrt())
+            }
             _ => of_pixels,
         };
         let least = match mean {

@@ -21,6 +21,8 @@ use super::{Film, Options, Progress, Rendered, Session, State, rounding};
 use crate::integrators::Integrator;
 use crate::sampling::stream::{EVEN_SAMPLES, Sampler};
 use crate::scene::Scene;
+use crate::time::Moment;
+use std::time::Duration;
 
 mod pilot;
 mod split;
@@ -122,8 +124,11 @@ pub fn render_from(
         prediction = foresee(&mut session, clock, &options, goal.measure, progress);
     }
     let mut extensions = 0;
+    let keeps_every = progress.keeps_every();
+    let mut kept = Moment::now();
     loop {
-        let next = aim.min(next_look(&session));
+        let next = next_look(&session).min(keeps_every.map_or(aim, |time| within(&session, time)));
+        let next = aim.min(next);
         let late = match &clock {
             Some(clock) => session.advance_within(next, aim, clock, progress),
             None => {
@@ -133,6 +138,10 @@ pub fn render_from(
         };
         let reached = look(&session, &options, goal, prediction);
         progress.reached(&reached);
+        if keeps_every.is_some_and(|time| progress.elapsed(kept) >= time) {
+            progress.keep(&session.rendered(), aim);
+            kept = Moment::now();
+        }
         let met = goal
             .error
             .is_some_and(|target| reached.error <= (1.0 + TOLERANCE) * target);
@@ -224,13 +233,20 @@ fn blind(reached: &Reached, session: &Session) -> bool {
 
 /// How many samples a session should have before its error is looked at again.
 fn next_look(session: &Session) -> u32 {
-    let spp = session.spp();
-    if spp == 0 {
-        return FIRST_LOOK;
+    match session.rate() {
+        Some(rate) => {
+            let step = (LOOK * rate).min(f64::from(MOST_SAMPLES)) as u32;
+            session.spp() + step.max(session.spp())
+        }
+        None => session.spp() + FIRST_LOOK,
     }
-    let rate = f64::from(spp) / session.time().as_secs_f64();
-    let step = (LOOK * rate).min(f64::from(MOST_SAMPLES)) as u32;
-    spp + step.max(spp)
+}
+
+/// How many samples a session has after this time, one more at least.
+fn within(session: &Session, time: Duration) -> u32 {
+    let rate = session.rate().unwrap_or(0.0);
+    let more = (rate * time.as_secs_f64()).min(f64::from(MOST_SAMPLES)) as u32;
+    session.spp() + more.max(1)
 }
 
 /// How far a session got.

@@ -2,7 +2,7 @@
 
 use super::recorder::Recorder;
 use super::watch::Watch;
-use super::{BadSample, Options, Pixel};
+use super::{BadSample, Options, Pixel, shard};
 use crate::color::Rgb;
 use crate::geometry::Ray;
 use crate::integrators::Prepared;
@@ -27,32 +27,30 @@ pub(super) struct Tile<Notes> {
     pub(super) sum: f64,
 }
 
-/// The tiles of an image, whose samples are in `further` more pictures, too.
+/// The tiles of an image, or those of its shard, whose samples are in `further` more pictures, too.
 pub(super) fn tiles<Notes: Default>(
-    [width, height]: [u32; 2],
-    side: u32,
+    size: [u32; 2],
+    options: &Options,
     further: usize,
 ) -> Vec<Tile<Notes>> {
-    let starts = |end: u32| (0..end).step_by(side as usize);
-    starts(height)
-        .flat_map(|y| starts(width).map(move |x| (x, y)))
-        .map(|(x, y)| {
-            let x = x..width.min(x.saturating_add(side));
-            let y = y..height.min(y.saturating_add(side));
-            let count = x.len() * y.len();
-            Tile {
-                x,
-                y,
-                pixels: vec![Pixel::default(); count],
-                further: vec![Pixel::default(); count * further],
-                notes: Notes::default(),
-                rays: RayCounts::default(),
-                watch: Watch::default(),
-                lights_met: 0,
-                sum: 0.0,
-            }
-        })
-        .collect()
+    let tile = |[x, y]: [Range<u32>; 2]| {
+        let count = x.len() * y.len();
+        Tile {
+            x,
+            y,
+            pixels: vec![Pixel::default(); count],
+            further: vec![Pixel::default(); count * further],
+            notes: Notes::default(),
+            rays: RayCounts::default(),
+            watch: Watch::default(),
+            lights_met: 0,
+            sum: 0.0,
+        }
+    };
+    match options.shard {
+        None => shard::tiles(size, options.tile.max(1)).map(tile).collect(),
+        Some(shard) => shard.tiles(size).map(tile).collect(),
+    }
 }
 
 impl<Notes> Tile<Notes> {

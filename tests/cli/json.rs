@@ -152,7 +152,7 @@ fn the_page_lists_every_key_of_every_command_with_its_types() {
     let tables = tables(&std::fs::read_to_string(page).unwrap());
     let folder = folder();
     std::fs::write(folder.path().join("mine.toml"), SCENE).unwrap();
-    let commands: [(&str, &[&str]); 9] = [
+    let commands: [(&str, &[&str]); 10] = [
         ("scenes", &["scenes"]),
         ("doctor", &["doctor --space flat"]),
         (
@@ -179,12 +179,21 @@ fn the_page_lists_every_key_of_every_command_with_its_types() {
             "render",
             &[
                 "render mine.toml --spp 1 --quiet",
-                "render caustic --size 8x8 --spp 1 --quiet",
+                "render caustic --size 8x8 --spp 1 --out caustic.exr --quiet",
                 "render mine.toml --spp 16 --integrator kajiya --maps --quiet",
                 "render cornell --size 8x8 --spp 1 --integrator radiosity --camera spheres --quiet",
                 "render mine.toml --spp 2 --integrator photons --photons 99 --radius 0.1 --quiet",
+                "render mine.toml --spp 1 --shard 1/2 --out s.exr --quiet",
                 "render mine.toml --target-error 50% --paths LD+E --quiet",
                 "render mine.toml --target-error 50% --target-quantile 50% --time 1h --quiet",
+            ],
+        ),
+        (
+            "info",
+            &[
+                "info s.exr",
+                "info caustic.exr",
+                "info out/mine-photons.png",
             ],
         ),
         (
@@ -201,6 +210,7 @@ fn the_page_lists_every_key_of_every_command_with_its_types() {
     // Every table belongs to a command or is a shape of one.
     let shapes = [
         "measurement",
+        "facts",
         "fit",
         "ratio",
         "exam",

@@ -13,6 +13,7 @@ pub mod meshes;
 mod odd_scenes;
 mod options;
 mod resume;
+mod shards;
 mod target;
 pub mod textured_meshes;
 mod unheard;
@@ -68,10 +69,16 @@ emits = [2, 2, 2]
 quad = { corner = [-1, 3, -1], u = [2, 0, 0], v = [0, 0, 2] }
 "#;
 
+/// The program in `folder`.
+pub fn program(folder: &Path) -> Command {
+    let mut program = Command::new(env!("CARGO_BIN_EXE_halfdisk"));
+    program.current_dir(folder);
+    program
+}
+
 /// Runs `halfdisk` in `folder`.
 pub fn halfdisk(folder: &Path, arguments: &[&str]) -> Output {
-    Command::new(env!("CARGO_BIN_EXE_halfdisk"))
-        .current_dir(folder)
+    program(folder)
         .args(arguments)
         .output()
         .expect("the program starts")
@@ -80,8 +87,7 @@ pub fn halfdisk(folder: &Path, arguments: &[&str]) -> Output {
 /// Runs `halfdisk` in `folder` and interrupts it, as Ctrl-C does, once it is well under way.
 #[cfg(unix)]
 pub fn interrupted(folder: &Path, arguments: &[&str]) -> Output {
-    let child = Command::new(env!("CARGO_BIN_EXE_halfdisk"))
-        .current_dir(folder)
+    let child = program(folder)
         .args(arguments)
         .stdout(std::process::Stdio::piped())
         .stderr(std::process::Stdio::piped())

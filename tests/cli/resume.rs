@@ -1,8 +1,11 @@
 //! Renders that go on, and what files say of how they were made.
 
-use super::{SCENE, complaint, folder, halfdisk};
+use super::{SCENE, complaint, folder, halfdisk, program};
+use rand::{RngExt, SeedableRng};
+use rand_pcg::Pcg32;
 use std::fs;
 use std::path::Path;
+use std::time::Duration;
 
 fn done(folder: &Path, arguments: &str) -> String {
     let words: Vec<&str> = arguments.split(' ').collect();
@@ -48,6 +51,71 @@ fn a_render_in_three_steps_has_the_bytes_of_one() {
     }
 }
 
+/// Kills renders at random moments, twenty times in all: what was written last goes on to the bytes of one that was
+/// left alone.
+#[test]
+fn killed_renders_lose_no_more_than_the_time_since_they_were_kept() {
+    let folder = folder();
+    let folder = folder.path();
+    let mut random = Pcg32::seed_from_u64(1);
+    let (mut kills, mut kept) = (0, 0);
+    for (settings, spp) in [
+        ("cornell --size 32x24", 4000),
+        ("caustic --size 24x18", 2000),
+        (
+            "spheres --size 24x18 --integrator photons --photons 300",
+            600,
+        ),
+        ("caustic --size 24x18 --integrator light-tracer", 2000),
+    ] {
+        done(
+            folder,
+            &format!("render {settings} --spp {spp} --out whole.exr -q"),
+        );
+        let begin = format!("render {settings} --spp {spp} --out a.exr -q --checkpoint 20ms");
+        for _ in 0..5 {
+            let there = folder.join("a.exr").exists();
+            let goes_on = format!("render --resume a.exr --spp {spp} -q --checkpoint 20ms");
+            let arguments = if there { &goes_on } else { &begin };
+            let mut child = program(folder).args(arguments.split(' ')).spawn().unwrap();
+            std::thread::sleep(Duration::from_millis(random.random_range(30..250)));
+            child.kill().unwrap();
+            child.wait().unwrap();
+            kills += 1;
+            if folder.join("a.exr").exists() {
+                kept += 1;
+                done(folder, "info a.exr");
+            }
+        }
+        let output = match folder.join("a.exr").exists() {
+            true => halfdisk(
+                folder,
+                &[
+                    "render",
+                    "--resume",
+                    "a.exr",
+                    "--spp",
+                    &spp.to_string(),
+                    "-q",
+                ],
+            ),
+            false => halfdisk(folder, &begin.split(' ').collect::<Vec<_>>()),
+        };
+        // It may have ended before it was killed.
+        let ended = complaint(&output).contains("samples per pixel already");
+        assert!(
+            output.status.success() || ended,
+            "{settings}: {}",
+            complaint(&output)
+        );
+        let [whole, killed] = ["whole.exr", "a.exr"].map(|f| fs::read(folder.join(f)).unwrap());
+        assert!(whole == killed, "{settings}");
+        fs::remove_file(folder.join("a.exr")).unwrap();
+    }
+    assert_eq!(kills, 20);
+    assert!(kept >= 8, "{kept}");
+}
+
 #[test]
 fn what_does_not_fit_is_refused_by_name() {
     let folder = folder();
@@ -68,11 +136,15 @@ fn what_does_not_fit_is_refused_by_name() {
         ("--resume mine.toml --spp 8", "mine.toml: pictures end in"),
         (
             "--resume a.exr --spp 8 --seed 1",
-            "'--seed <SEED>' cannot be used",
+            "cannot be used with '--seed <SEED>'",
         ),
         (
             "cornell --resume a.exr --spp 8",
             "a.exr: was made of another scene: cornell",
+        ),
+        (
+            "mine.toml --spp 8 --checkpoint 1s --out b.png",
+            "--checkpoint: only .exr files can be gone on with, not b.png",
         ),
         ("--spp 8", "<SCENE>"),
     ] {

@@ -20,6 +20,7 @@ const OPTIONS: Options = Options {
     sampler: halfdisk::sampling::stream::Sampler::Independent,
     fixed: &[],
     tile: 16,
+    shard: None,
 };
 
 fn picture(scene: &Scene, seed: u64) -> Film {
