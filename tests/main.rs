@@ -10,6 +10,7 @@ mod aiming;
 mod caustics;
 mod chapters;
 mod checks;
+mod claims;
 mod cli;
 mod clock;
 mod contacts;
