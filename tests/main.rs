@@ -39,6 +39,7 @@ mod peers;
 mod photons;
 mod radiosity;
 mod random_scenes;
+mod references;
 mod six_integrals;
 mod stopping;
 mod table;
