@@ -72,7 +72,8 @@ fn read(folder: &Path, root: &Path, into: &mut BTreeMap<String, String>) {
         let path = entry.unwrap().path();
         if path.is_dir() {
             read(&path, root, into);
-        } else if path.extension().is_some_and(|e| e == "rs") && !path.ends_with("tests/claims.rs") {
+        } else if path.extension().is_some_and(|e| e == "rs") && !path.ends_with("tests/claims.rs")
+        {
             let name = path.strip_prefix(root).unwrap().to_str().unwrap();
             into.insert(name.replace('\\', "/"), fs::read_to_string(&path).unwrap());
         }
@@ -94,7 +95,10 @@ fn every_claim_has_a_verdict_and_a_test_and_every_test_of_a_claim_a_row() {
 
 #[test]
 fn a_row_without_a_verdict_or_with_a_test_from_elsewhere_is_noticed() {
-    let sources = [("tests/a.rs", "fn right() {}"), ("tests/b.rs", "fn s0_01_x() {}")];
+    let sources = [
+        ("tests/a.rs", "fn right() {}"),
+        ("tests/b.rs", "fn s0_01_x() {}"),
+    ];
     let sources = sources.map(|(file, text)| (file.to_owned(), text.to_owned()));
     let sources = BTreeMap::from(sources);
     let says = "Of 1 claims 1 hold as they stand, 0 hold under a condition, 0 are false, and 0 are\nleft out.";
@@ -103,12 +107,24 @@ fn a_row_without_a_verdict_or_with_a_test_from_elsewhere_is_noticed() {
     assert_eq!(of(row), [""; 0]);
     for (mistake, says) in [
         (row.replace("**holds**", "**perhaps**"), "S0.01: no verdict"),
-        (row.replace("tests/a.rs", "tests/b.rs"), "S0.01: right is not in tests/b.rs"),
-        (row.replace("[`right`](../../tests/a.rs)", "`right`"), "S0.01: no test at its end"),
+        (
+            row.replace("tests/a.rs", "tests/b.rs"),
+            "S0.01: right is not in tests/b.rs",
+        ),
+        (
+            row.replace("[`right`](../../tests/a.rs)", "`right`"),
+            "S0.01: no test at its end",
+        ),
         (row.replace("S0.01", "S0.02"), "S0.01 is not on the page"),
-        (row.replace("**holds**", "**false**"), "the page does not say: Of 1 claims 0 hold"),
+        (
+            row.replace("**holds**", "**false**"),
+            "the page does not say: Of 1 claims 0 hold",
+        ),
     ] {
         let found = of(&mistake);
-        assert!(found.iter().any(|f| f.starts_with(says)), "{mistake}: {found:?}");
+        assert!(
+            found.iter().any(|f| f.starts_with(says)),
+            "{mistake}: {found:?}"
+        );
     }
 }

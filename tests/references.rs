@@ -30,13 +30,25 @@ fn problems(
             problems.push(format!("{title}: no DOI, link or ISBN"));
         }
         let author = source.split([',', '.']).next().unwrap_or_default();
-        let surname = author.rsplit(' ').find(|word| *word != "al").unwrap_or_default();
-        for link in cited.split("](").skip(1).filter_map(|link| link.split(')').next()) {
+        let surname = author
+            .rsplit(' ')
+            .find(|word| *word != "al")
+            .unwrap_or_default();
+        for link in cited
+            .split("](")
+            .skip(1)
+            .filter_map(|link| link.split(')').next())
+        {
             let text = match link.strip_prefix("../../") {
                 Some(file) => read(file).unwrap_or_default(),
                 None => pages.get(link).cloned().unwrap_or_default(),
             };
-            let text = words(&text.replace("//!", " ").replace("///", " ").replace("//", " "));
+            let text = words(
+                &text
+                    .replace("//!", " ")
+                    .replace("///", " ")
+                    .replace("//", " "),
+            );
             if !text.contains(&title) && !text.contains(surname) && !text.contains("cornell.edu") {
                 problems.push(format!("{title}: not cited in {link}"));
             }
@@ -56,7 +68,9 @@ fn problems(
         for title in list.split('*').skip(1).step_by(2) {
             let title = title.trim_end_matches('.');
             if !titles.iter().any(|known| known == title) {
-                problems.push(format!("{file} cites {title}, which is not on the page of references"));
+                problems.push(format!(
+                    "{file} cites {title}, which is not on the page of references"
+                ));
             }
         }
     }
@@ -70,7 +84,10 @@ fn words(text: &str) -> String {
 
 /// What stands between two marks, the first time.
 fn between<'a>(text: &'a str, start: &str, end: &str) -> Option<&'a str> {
-    text.split_once(start)?.1.split_once(end).map(|(inner, _)| inner)
+    text.split_once(start)?
+        .1
+        .split_once(end)
+        .map(|(inner, _)| inner)
 }
 
 #[test]
@@ -86,13 +103,18 @@ fn each_source_can_be_found_and_is_cited_where_it_says() {
     }
     let page = pages.remove("references.md").unwrap();
     assert!(page.matches("\n- ").count() > 70);
-    let found = problems(&page, &pages, |file| fs::read_to_string(root.join(file)).ok());
+    let found = problems(&page, &pages, |file| {
+        fs::read_to_string(root.join(file)).ok()
+    });
     assert!(found.is_empty(), "{found:#?}");
 }
 
 #[test]
 fn a_source_that_cannot_be_found_or_is_cited_nowhere_is_noticed() {
-    let pages = [("a.md", "As Kajiya says. ## Further reading\n- Kajiya, *The Rendering\n  Equation*.")];
+    let pages = [(
+        "a.md",
+        "As Kajiya says. ## Further reading\n- Kajiya, *The Rendering\n  Equation*.",
+    )];
     let pages = pages.map(|(file, text)| (file.to_owned(), text.to_owned()));
     let pages = BTreeMap::from(pages);
     let code = |file: &str| (file == "src/a.rs").then(|| "//! Turk, Random\n//! Points".to_owned());
@@ -101,13 +123,31 @@ fn a_source_that_cannot_be_found_or_is_cited_nowhere_is_noticed() {
     let of = |page: &str| problems(page, &pages, code);
     assert_eq!(of(good), [""; 0]);
     for (mistake, says) in [
-        (good.replace("[doi](https://doi.org/1)", "doi:1"), "The Rendering Equation: no DOI"),
-        (good.replace(" Cited in [01](a.md).", ""), "The Rendering Equation: cited nowhere"),
-        (good.replace("src/a.rs)", "src/b.rs)"), "Random Points: not cited in ../../src/b.rs"),
-        (good.replace("Turk. *Random Points.*", "Turk. *The Rendering Equation.*"), "The Rendering Equation: stands"),
-        (good.replace("The Rendering", "A Rendering"), "a.md cites The Rendering Equation"),
+        (
+            good.replace("[doi](https://doi.org/1)", "doi:1"),
+            "The Rendering Equation: no DOI",
+        ),
+        (
+            good.replace(" Cited in [01](a.md).", ""),
+            "The Rendering Equation: cited nowhere",
+        ),
+        (
+            good.replace("src/a.rs)", "src/b.rs)"),
+            "Random Points: not cited in ../../src/b.rs",
+        ),
+        (
+            good.replace("Turk. *Random Points.*", "Turk. *The Rendering Equation.*"),
+            "The Rendering Equation: stands",
+        ),
+        (
+            good.replace("The Rendering", "A Rendering"),
+            "a.md cites The Rendering Equation",
+        ),
     ] {
         let found = of(&mistake);
-        assert!(found.iter().any(|f| f.starts_with(says)), "{says}: {found:?}");
+        assert!(
+            found.iter().any(|f| f.starts_with(says)),
+            "{says}: {found:?}"
+        );
     }
 }

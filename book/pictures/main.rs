@@ -15,7 +15,6 @@ use halfdisk::sampling::stream::Sampler;
 use halfdisk::scene::read::Source;
 use halfdisk::scene::{Scene, gallery};
 use halfdisk::stats::Estimate;
-use std::f64::consts::PI;
 use std::process::ExitCode;
 
 const CHAPTER: Chapter = Chapter {
@@ -88,12 +87,18 @@ fn work(desk: &mut Desk) -> Result<Ledger, DeskError> {
         drawn.picture(desk, name, text, spp, caption)?;
     }
     stage::work(desk, &mut drawn)?;
-    desk.value("worst", "largest error of any of these pictures, %", drawn.worst);
+    desk.value(
+        "worst",
+        "largest error of any of these pictures, %",
+        drawn.worst,
+    );
     desk.value("pictures", "pictures", f64::from(drawn.count));
     drawn.rays += window(desk)? + bulb(desk)?;
     Ok(Ledger {
         rays: drawn.rays,
-        ..Ledger::of("Each material, each light and each recipe has a picture that is made from the very file.")
+        ..Ledger::of(
+            "Each material, each light and each recipe has a picture that is made from the very file.",
+        )
     })
 }
 
@@ -121,7 +126,11 @@ impl Drawn {
         let scene = scene.sized(desk.choose([width, height], [width / 8, height / 8]));
         let rendered = rendered(desk, name, &scene, spp)?;
         let error = percent(&rendered);
-        desk.value(&format!("error_{name}"), &format!("{name}: error of the picture, %"), error);
+        desk.value(
+            &format!("error_{name}"),
+            &format!("{name}: error of the picture, %"),
+            error,
+        );
         desk.picture(&format!("{name}.png"), caption, &rendered.film, &scene)?;
         self.count += 1;
         self.rays += rendered.rays.total();
@@ -166,7 +175,9 @@ fn window(desk: &mut Desk) -> Result<u64, DeskError> {
     desk.say("\na light in the window, or an open window");
     let text = include_str!("../../examples/recipes/window.toml");
     let (before, rest) = text.split_once("# ANCHOR: window").unwrap_or((text, ""));
-    let after = rest.split_once("# ANCHOR_END: window").map_or("", |(_, after)| after);
+    let after = rest
+        .split_once("# ANCHOR_END: window")
+        .map_or("", |(_, after)| after);
     let open = format!("{before}[environment]\nradiance = [6, 8, 11]\n{after}");
     let mut errors = [0.0; 2];
     let mut rays = 0;
@@ -179,11 +190,15 @@ fn window(desk: &mut Desk) -> Result<u64, DeskError> {
     let [lamp, sky] = errors;
     desk.value("window_lamp", "error with a light in the window, %", lamp);
     desk.value("window_sky", "error with an open window, %", sky);
-    desk.value("window_gain", "the second over the first", (100.0 * sky / lamp).round() / 100.0);
+    desk.value(
+        "window_gain",
+        "the second over the first",
+        (100.0 * sky / lamp).round() / 100.0,
+    );
     Ok(rays)
 }
 
-/// The bulb's direct light on the floor below it: 100 W through the sphere of two metres, times albedo over pi.
+/// The bulb's direct light on the floor below it: of its radiance, by area and distance, times the albedo.
 fn bulb(desk: &mut Desk) -> Result<u64, DeskError> {
     let text = include_str!("../../examples/recipes/bulb.toml")
         .replace("from = [0.6, 1.9, 5.2]", "from = [0, 1, 0.7]")
@@ -196,9 +211,15 @@ fn bulb(desk: &mut Desk) -> Result<u64, DeskError> {
         .filter_map(|pixel| pixel.mean())
         .map(|mean| mean[1])
         .collect();
-    let exact = 0.55 / PI * 100.0 / (4.0 * PI * 4.0);
+    let exact = 0.55 * 253.3 * (0.1 / 2.0_f64).powi(2);
     let says = "radiance of the floor two metres below the bulb, green";
     let error = Some(green.std_error());
-    desk.number("bulb", Number { error, ..Number::new(says, green.mean()).exact(exact) });
+    desk.number(
+        "bulb",
+        Number {
+            error,
+            ..Number::new(says, green.mean()).exact(exact)
+        },
+    );
     Ok(rendered.rays.total())
 }

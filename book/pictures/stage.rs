@@ -14,25 +14,100 @@ const LIGHT: &str = "# The light.\n";
 
 /// Name, line of the file, samples of a pixel, what to look at.
 const MATERIALS: [(&str, &str, u32, &str); 9] = [
-    ("lambert", "lambert = { albedo = [0.7, 0.3, 0.2] }", 64, "one shade for each angle to the light, from wherever one looks"),
-    ("mirror", "mirror = { reflectance = 0.9 }", 64, "the floor and the light, once each"),
-    ("glass", "glass = { ior = 1.5 }", 128, "the floor upside down, the light mirrored twice, and a caustic"),
-    ("glossy", "glossy = { reflectance = [1, 0.78, 0.34], roughness = 0.2 }", 64, "the light is blurred to a highlight"),
-    ("rough_glass", "rough_glass = { ior = 1.5, roughness = 0.1 }", 320, "frosted: the floor is a blur, and so is the caustic"),
-    ("mixture", "mixture = { kd = [0.5, 0.15, 0.1], ks = 0.2, kt = 0.2 }", 192, "a diffuse colour, a sharp reflection, and some of the floor behind"),
-    ("smooth", "glossy = { reflectance = 0.9, roughness = 0.05 }", 128, "roughness 0.05"),
-    ("middling", "glossy = { reflectance = 0.9, roughness = 0.2 }", 64, "roughness 0.2"),
-    ("rough", "glossy = { reflectance = 0.9, roughness = 0.5 }", 64, "roughness 0.5"),
+    (
+        "lambert",
+        "lambert = { albedo = [0.7, 0.3, 0.2] }",
+        64,
+        "one shade for each angle to the light, from wherever one looks",
+    ),
+    (
+        "mirror",
+        "mirror = { reflectance = 0.9 }",
+        64,
+        "the floor and the light, once each",
+    ),
+    (
+        "glass",
+        "glass = { ior = 1.5 }",
+        128,
+        "the floor upside down, the light mirrored twice, and a caustic",
+    ),
+    (
+        "glossy",
+        "glossy = { reflectance = [1, 0.78, 0.34], roughness = 0.2 }",
+        64,
+        "the light is blurred to a highlight",
+    ),
+    (
+        "rough_glass",
+        "rough_glass = { ior = 1.5, roughness = 0.1 }",
+        320,
+        "frosted: the floor is a blur, and so is the caustic",
+    ),
+    (
+        "mixture",
+        "mixture = { kd = [0.5, 0.15, 0.1], ks = 0.2, kt = 0.2 }",
+        192,
+        "a diffuse colour, a sharp reflection, and some of the floor behind",
+    ),
+    (
+        "smooth",
+        "glossy = { reflectance = 0.9, roughness = 0.05 }",
+        128,
+        "roughness 0.05",
+    ),
+    (
+        "middling",
+        "glossy = { reflectance = 0.9, roughness = 0.2 }",
+        64,
+        "roughness 0.2",
+    ),
+    (
+        "rough",
+        "glossy = { reflectance = 0.9, roughness = 0.5 }",
+        64,
+        "roughness 0.5",
+    ),
 ];
 
 /// The same for lights; several lines become one in the caption.
 const LIGHTS: [(&str, &str, u32, &str); 6] = [
-    ("quad", "[[objects]]\nemits = 12\nquad = { corner = [-2.6, 3.2, -0.6], u = [1.6, 0, 0], v = [0, 0, 1.6] }", 128, "a wide light, and a shadow with a wide edge"),
-    ("sphere", "[[objects]]\nemits = 60\nsphere = { center = [-2, 3, 1], radius = 0.3 }", 64, "a smaller light, and a narrower edge"),
-    ("point", "[[lights]]\npoint = { position = [-2, 3, 1], intensity = 18 }", 64, "no size: a sharp edge"),
-    ("directional", "[[lights]]\ndirectional = { direction = [2, -3, -1], irradiance = 2.5 }", 64, "from very far away: as bright everywhere"),
-    ("sky", "[environment]\nradiance = [0.5, 0.65, 0.9]", 64, "from all sides: shade only where ball and floor meet"),
-    ("image", "[environment]\nimage = \"dusk.hdr\"", 128, "an evening sky with a low sun, 64 x 32 pixels"),
+    (
+        "quad",
+        "[[objects]]\nemits = 12\nquad = { corner = [-2.6, 3.2, -0.6], u = [1.6, 0, 0], v = [0, 0, 1.6] }",
+        128,
+        "a wide light, and a shadow with a wide edge",
+    ),
+    (
+        "sphere",
+        "[[objects]]\nemits = 60\nsphere = { center = [-2, 3, 1], radius = 0.3 }",
+        64,
+        "a smaller light, and a narrower edge",
+    ),
+    (
+        "point",
+        "[[lights]]\npoint = { position = [-2, 3, 1], intensity = 18 }",
+        64,
+        "no size: a sharp edge",
+    ),
+    (
+        "directional",
+        "[[lights]]\ndirectional = { direction = [2, -3, -1], irradiance = 2.5 }",
+        64,
+        "from very far away: as bright everywhere",
+    ),
+    (
+        "sky",
+        "[environment]\nradiance = [0.5, 0.65, 0.9]",
+        64,
+        "from all sides: shade only where ball and floor meet",
+    ),
+    (
+        "image",
+        "[environment]\nimage = \"dusk.hdr\"",
+        128,
+        "an evening sky with a low sun, 64 x 32 pixels",
+    ),
 ];
 
 /// Draws all of them.
@@ -48,7 +123,10 @@ pub fn work(desk: &mut Desk, drawn: &mut Drawn) -> Result<(), DeskError> {
     }
     for (name, lines, spp, says) in LIGHTS {
         let text = format!("{scene}{lines}\n");
-        let line = lines.replace("]]\n", "]] ").replace("]\n", "] ").replace('\n', ", ");
+        let line = lines
+            .replace("]]\n", "]] ")
+            .replace("]\n", "] ")
+            .replace('\n', ", ");
         drawn.picture(desk, name, &text, spp, &format!("{line}: {says}."))?;
     }
     Ok(())

@@ -242,8 +242,17 @@ mod tests {
 
     #[test]
     fn chapters_are_chosen_by_number_and_the_pictures_of_the_book_by_name() {
-        for (text, id) in [("1", "ch01"), (" 02", "ch02"), ("ch03", "ch03"), ("scenes", "scenes")] {
-            assert_eq!(chapter(text).map(|place| CHAPTERS[place].0), Ok(id), "{text}");
+        for (text, id) in [
+            ("1", "ch01"),
+            (" 02", "ch02"),
+            ("ch03", "ch03"),
+            ("scenes", "scenes"),
+        ] {
+            assert_eq!(
+                chapter(text).map(|place| CHAPTERS[place].0),
+                Ok(id),
+                "{text}"
+            );
         }
         for wrong in ["0", "99", "scene", "-1", ""] {
             let says = chapter(wrong).unwrap_err();

@@ -13,7 +13,11 @@ fn each_picture_of_the_reference_pages_is_of_a_file_and_has_little_noise() {
         let error = number(&data, &format!("error_{stem}"), "value");
         // Pictures are at most an eighth as wide here; the error of a pixel is the same.
         assert!(error > 0.0 && error <= 3.5, "{file}: {error} %");
-        let picture = folder.path().join("scenes").join(file).with_extension("exr");
+        let picture = folder
+            .path()
+            .join("scenes")
+            .join(file)
+            .with_extension("exr");
         let mean: f64 = {
             let picture = halfdisk::output::read(&picture).unwrap();
             let sum: f64 = picture.values.iter().flatten().sum();

@@ -242,9 +242,15 @@ mod tests {
     fn elements_with_a_wrong_number_of_children_are_noticed() {
         for (html, wrong) in [
             ("<math><msup><mi>x</mi><mn>2</mn></msup></math>", None),
-            ("<math><mo><</mo><mspace width=\"1em\"/><mi>x</mi></math>", None),
+            (
+                "<math><mo><</mo><mspace width=\"1em\"/><mi>x</mi></math>",
+                None,
+            ),
             ("<msup><mspace/><mi>cos</mi><mn>4</mn></msup>", Some("msup")),
-            ("<msup><mrow><mi>a</mi><mi>b</mi></mrow><mn>2</mn></msup>", None),
+            (
+                "<msup><mrow><mi>a</mi><mi>b</mi></mrow><mn>2</mn></msup>",
+                None,
+            ),
             ("<mrow><mfrac><mn>1</mn></mfrac></mrow>", Some("mfrac")),
             ("<msubsup><mi>a</mi><mi>b</mi></msubsup>", Some("msubsup")),
             ("<mrow><mi>a</mi>", Some("mrow")),

@@ -112,7 +112,10 @@ mod tests {
             ("so 12\u{202f}345.6 rays", "12\u{202f}345.6"),
         ] {
             let says = refused(source);
-            assert!(says[0].starts_with(&format!("`{number}` has more than 4 digits")), "{says:?}");
+            assert!(
+                says[0].starts_with(&format!("`{number}` has more than 4 digits")),
+                "{says:?}"
+            );
         }
         assert_eq!(refused("0.12345 and\n\n0.54321").len(), 2);
     }
