@@ -28,7 +28,7 @@ const FILES: [(&str, &str, u32, &str); 8] = [
     (
         "mine",
         include_str!("../../examples/recipes/mine.toml"),
-        64,
+        32,
         "The scene above: one clay for the ball and the ground, and a square light overhead, out of view.",
     ),
     (
@@ -47,13 +47,13 @@ const FILES: [(&str, &str, u32, &str); 8] = [
     (
         "bubble",
         include_str!("../../examples/recipes/bubble.toml"),
-        64,
+        32,
         "A ball of glass with a bubble in it. The ball turns the stripes about, and the bubble turns them back.",
     ),
     (
         "sun",
         include_str!("../../examples/recipes/sun.toml"),
-        64,
+        32,
         "A sun of the right size and a blue sky. Edges of shadows are sharp near what casts them, and shadows are \
          blue, for only the sky lights them.",
     ),
@@ -72,7 +72,7 @@ const FILES: [(&str, &str, u32, &str); 8] = [
     (
         "bulb",
         include_str!("../../examples/recipes/bulb.toml"),
-        64,
+        32,
         "100 W of light from a ball of radius 0.1 m.",
     ),
 ];

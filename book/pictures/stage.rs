@@ -17,13 +17,13 @@ const MATERIALS: [(&str, &str, u32, &str); 9] = [
     (
         "lambert",
         "lambert = { albedo = [0.7, 0.3, 0.2] }",
-        64,
+        32,
         "one shade for each angle to the light, from wherever one looks",
     ),
     (
         "mirror",
         "mirror = { reflectance = 0.9 }",
-        64,
+        32,
         "the floor and the light, once each",
     ),
     (
@@ -41,19 +41,19 @@ const MATERIALS: [(&str, &str, u32, &str); 9] = [
     (
         "rough_glass",
         "rough_glass = { ior = 1.5, roughness = 0.1 }",
-        320,
+        256,
         "frosted: the floor is a blur, and so is the caustic",
     ),
     (
         "mixture",
         "mixture = { kd = [0.5, 0.15, 0.1], ks = 0.2, kt = 0.2 }",
-        192,
+        128,
         "a diffuse colour, a sharp reflection, and some of the floor behind",
     ),
     (
         "smooth",
         "glossy = { reflectance = 0.9, roughness = 0.05 }",
-        128,
+        64,
         "roughness 0.05",
     ),
     (
@@ -75,19 +75,19 @@ const LIGHTS: [(&str, &str, u32, &str); 6] = [
     (
         "quad",
         "[[objects]]\nemits = 12\nquad = { corner = [-2.6, 3.2, -0.6], u = [1.6, 0, 0], v = [0, 0, 1.6] }",
-        128,
+        64,
         "a wide light, and a shadow with a wide edge",
     ),
     (
         "sphere",
         "[[objects]]\nemits = 60\nsphere = { center = [-2, 3, 1], radius = 0.3 }",
-        64,
+        32,
         "a smaller light, and a narrower edge",
     ),
     (
         "point",
         "[[lights]]\npoint = { position = [-2, 3, 1], intensity = 18 }",
-        64,
+        32,
         "no size: a sharp edge",
     ),
     (
@@ -99,7 +99,7 @@ const LIGHTS: [(&str, &str, u32, &str); 6] = [
     (
         "sky",
         "[environment]\nradiance = [0.5, 0.65, 0.9]",
-        64,
+        32,
         "from all sides: shade only where ball and floor meet",
     ),
     (
