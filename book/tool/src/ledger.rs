@@ -110,7 +110,7 @@ mod tests {
             html.contains(
                 "<tr><td><a href=\"ch01.md\">1. From the &lt;eye&gt;</a>\
                  <p>Twice the time &amp; a quarter of the noise.</p></td><td>2 000 000</td>\
-                 <td>1.3</td><td>24</td><td>2.8</td><td>4.1</td></tr>"
+                 <td>1.2</td><td>24</td><td>2.8</td><td>4.1</td></tr>"
             ),
             "{html}"
         );
