@@ -281,3 +281,53 @@ fn every_chapter_has_a_program_a_page_and_a_place_in_the_tour() {
         assert!(tests.contains(&run), "{program}: no test runs it");
     }
 }
+
+/// The exercises of a page that nobody solves: neither a program that they name, nor an entry under the page's
+/// title.
+fn unsolved(page: &str, solutions: &str) -> Vec<String> {
+    let title = page
+        .lines()
+        .next()
+        .unwrap_or_default()
+        .trim_start_matches("# ");
+    let part = |text: &str, head: &str| {
+        let found = text.split_once(&format!("\n## {head}\n"));
+        let rest = found.map(|(_, rest)| rest).unwrap_or_default();
+        rest.split("\n## ").next().unwrap_or_default().to_owned()
+    };
+    let solved = part(solutions, title);
+    let exercises = format!("\n{}", part(page, "Exercises"));
+    (1..=9)
+        .filter_map(|n| {
+            let (_, rest) = exercises.split_once(&format!("\n{n}. "))?;
+            let exercise = rest.split(&format!("\n{}. ", n + 1)).next()?;
+            let is_solved =
+                exercise.contains("--example ") || solved.contains(&format!("**{n}.**"));
+            (!is_solved).then(|| format!("{title}, exercise {n}"))
+        })
+        .collect()
+}
+
+#[test]
+fn every_exercise_is_solved() {
+    let solutions = fs::read_to_string(root().join("book/src/solutions.md")).unwrap();
+    let mut exercises = 0;
+    for page in files(&root().join("book/src"), "md") {
+        let text = fs::read_to_string(&page).unwrap();
+        exercises += usize::from(text.contains("\n## Exercises\n"));
+        let missing = unsolved(&text, &solutions);
+        assert!(missing.is_empty(), "{missing:?}");
+    }
+    assert!(exercises > 18);
+}
+
+#[test]
+fn an_exercise_without_a_solution_is_noticed() {
+    let page = "# 01 Eye\n\n## Exercises\n\n1. By hand.\n2. Run `cargo run --example x`.\n3. Write.\n\n## Further reading\n";
+    let solutions = "# Solutions\n\n## 01 Eye\n\n**1.** So.\n\n**3.** And so.\n\n## 02 Tree\n";
+    assert_eq!(unsolved(page, solutions), [""; 0]);
+    let mistake = solutions.replace("**3.**", "3.");
+    assert_eq!(unsolved(page, &mistake), ["01 Eye, exercise 3"]);
+    let mistake = solutions.replace("01 Eye", "01 Lens");
+    assert_eq!(unsolved(page, &mistake).len(), 2);
+}

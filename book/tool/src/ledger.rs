@@ -20,7 +20,8 @@ pub struct PageLink {
     pub name: String,
 }
 
-/// The table, for the page whose file is `here`; chapters without a ledger are left out.
+/// The table, for the page whose file is `here`; chapters without a ledger are left out, and what is no
+/// chapter, such as the pictures of the reference pages.
 pub fn expand(
     arguments: &[&str],
     run: &Run,
@@ -31,7 +32,7 @@ pub fn expand(
         return Err("the ledger takes no arguments".to_string());
     }
     let mut rows = String::new();
-    for key in run.chapters() {
+    for key in run.chapters().filter(|key| key.starts_with("ch")) {
         let chapter = run.chapter(key)?;
         if let Some(ledger) = &chapter.ledger {
             let name = linked_name(key, &chapter.title, pages, here);
@@ -136,6 +137,10 @@ mod tests {
         assert!(refusal(&[], &broken()).starts_with("cannot read ch01/data.json"));
         let empty = Run::load(PathBuf::from("nowhere"));
         assert!(refusal(&[], &empty).starts_with("no chapter has a ledger"));
+        // Pictures are no chapter, and spend nothing that a chapter could be measured by.
+        let fixtures = Path::new(env!("CARGO_MANIFEST_DIR")).join("fixtures");
+        let pictures = Run::load(fixtures.join("pictures"));
+        assert!(refusal(&[], &pictures).starts_with("no chapter has a ledger"));
         assert_eq!(
             refusal(&["ch01"], &fixtures()),
             "the ledger takes no arguments"
