@@ -138,8 +138,8 @@ mod tests {
         let empty = Run::load(PathBuf::from("nowhere"));
         assert!(refusal(&[], &empty).starts_with("no chapter has a ledger"));
         // Pictures are no chapter, and spend nothing that a chapter could be measured by.
-        let fixtures = Path::new(env!("CARGO_MANIFEST_DIR")).join("fixtures");
-        let pictures = Run::load(fixtures.join("pictures"));
+        let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("fixtures");
+        let pictures = Run::load(folder.join("pictures"));
         assert!(refusal(&[], &pictures).starts_with("no chapter has a ledger"));
         assert_eq!(
             refusal(&["ch01"], &fixtures()),
