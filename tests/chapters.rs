@@ -10,6 +10,7 @@ mod patches;
 mod photons;
 mod pictures;
 mod prices;
+mod scenes;
 mod walks;
 mod words;
 

@@ -282,45 +282,52 @@ fn every_chapter_has_a_program_a_page_and_a_place_in_the_tour() {
     }
 }
 
-/// The tests that a ledger of claims names, in the last column of its table.
-fn named_tests(ledger: &str) -> Vec<String> {
-    let rows = ledger.lines().filter(|l| l.starts_with("| S"));
-    let cells = rows.filter_map(|row| row.trim_end_matches(" |").rsplit("| ").next());
-    cells
-        .map(|cell| cell.trim_matches('`').to_owned())
+/// The exercises of a page that nobody solves: neither a program that they name, nor an entry under the page's
+/// title.
+fn unsolved(page: &str, solutions: &str) -> Vec<String> {
+    let unnumbered = |title: &str| {
+        let title = title.trim_start_matches(|c: char| c == '#' || c == ' ' || c.is_ascii_digit());
+        title.to_owned()
+    };
+    let title = unnumbered(page.lines().next().unwrap_or_default());
+    let part = |text: &str, head: &str| {
+        let mut parts = text.split("\n## ").skip(1);
+        let found = parts.find(|part| unnumbered(part.lines().next().unwrap_or_default()) == head);
+        found.unwrap_or_default().to_owned()
+    };
+    let solved = part(solutions, &title);
+    let exercises = format!("\n{}", part(page, "Exercises"));
+    (1..=9)
+        .filter_map(|n| {
+            let (_, rest) = exercises.split_once(&format!("\n{n}. "))?;
+            let exercise = rest.split(&format!("\n{}. ", n + 1)).next()?;
+            let is_solved =
+                exercise.contains("--example ") || solved.contains(&format!("**{n}.**"));
+            (!is_solved).then(|| format!("{title}, exercise {n}"))
+        })
         .collect()
 }
 
 #[test]
-fn every_claim_has_a_test_and_every_test_of_a_claim_is_in_the_ledger() {
-    let ledger = fs::read_to_string(root().join("book/src/claims.md")).unwrap();
-    let mut code = String::new();
-    for folder in ["tests", "src"] {
-        for path in files(&root().join(folder), "rs") {
-            code += &fs::read_to_string(path).unwrap();
-        }
+fn every_exercise_is_solved() {
+    let solutions = fs::read_to_string(root().join("book/src/solutions.md")).unwrap();
+    let mut exercises = 0;
+    for page in files(&root().join("book/src"), "md") {
+        let text = fs::read_to_string(&page).unwrap();
+        exercises += usize::from(text.contains("\n## Exercises\n"));
+        let missing = unsolved(&text, &solutions);
+        assert!(missing.is_empty(), "{missing:?}");
     }
-    let named = named_tests(&ledger);
-    assert!(named.len() > 20, "{named:?}");
-    for test in &named {
-        assert!(
-            code.contains(&format!("fn {test}(")),
-            "{test} does not exist"
-        );
-    }
-    // A test named after a claim speaks for one that the ledger lists.
-    let ids = code.split("fn s").skip(1).filter_map(|rest| {
-        let (document, number) = (rest.get(0..1)?, rest.get(2..4)?);
-        let claim = rest.get(1..2) == Some("_") && number.bytes().all(|b| b.is_ascii_digit());
-        claim.then(|| format!("| S{document}.{number} |"))
-    });
-    for id in ids {
-        assert!(ledger.contains(&id), "{id} is not in the ledger");
-    }
+    assert!(exercises > 18);
 }
 
 #[test]
-fn a_claim_without_a_test_is_noticed() {
-    let ledger = "| S0.99 | a claim | {{#number ch01.slit}} | `no_such_test` |\n| id |";
-    assert_eq!(named_tests(ledger), ["no_such_test"]);
+fn an_exercise_without_a_solution_is_noticed() {
+    let page = "# 01 Eye\n\n## Exercises\n\n1. By hand.\n2. Run `cargo run --example x`.\n3. Write.\n\n## Further reading\n";
+    let solutions = "# Solutions\n\n## 01 Eye\n\n**1.** So.\n\n**3.** And so.\n\n## 02 Tree\n";
+    assert_eq!(unsolved(page, solutions), [""; 0]);
+    let mistake = solutions.replace("**3.**", "3.");
+    assert_eq!(unsolved(page, &mistake), ["Eye, exercise 3"]);
+    let mistake = solutions.replace("01 Eye", "01 Lens");
+    assert_eq!(unsolved(page, &mistake).len(), 2);
 }

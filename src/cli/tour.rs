@@ -10,7 +10,7 @@ use std::process::{Command, Output, Stdio};
 use std::sync::atomic::Ordering;
 use std::time::{Duration, Instant};
 
-/// The chapters: short name and program.
+/// The chapters: short name and program. The last one draws the pictures of the book's reference pages.
 const CHAPTERS: &[(&str, &str)] = &[
     ("ch01", "ch01-from-the-eye"),
     ("ch02", "ch02-whitteds-tree"),
@@ -30,6 +30,7 @@ const CHAPTERS: &[(&str, &str)] = &[
     ("ch17", "ch17-hard-cases"),
     ("ch18", "ch18-cost"),
     ("ch19", "ch19-what-the-scene-asks"),
+    ("scenes", "book-pictures"),
 ];
 
 /// Run the chapters in order; write the gallery page and the ledger. Ctrl-C keeps the chapters that are
@@ -47,17 +48,15 @@ pub struct Tour {
     out: PathBuf,
 }
 
-/// The place in the list of a chapter given by number.
+/// The place in the list of a chapter given by number, or by name.
 fn chapter(text: &str) -> Result<usize, String> {
-    let number = text.trim().trim_start_matches("ch");
-    number
+    let name = text.trim().trim_start_matches("ch");
+    let id = name
         .parse::<usize>()
-        .ok()
-        .and_then(|n| {
-            CHAPTERS
-                .iter()
-                .position(|(id, _)| *id == format!("ch{n:02}"))
-        })
+        .map_or(name.to_owned(), |number| format!("ch{number:02}"));
+    CHAPTERS
+        .iter()
+        .position(|(known, _)| *known == id)
         .ok_or_else(|| {
             let numbers = CHAPTERS.iter().map(|(id, _)| id.trim_start_matches("ch"));
             let numbers: Vec<&str> = numbers.collect();
@@ -234,5 +233,31 @@ fn build(cargo: &Path, package: &Path, folder: &Path) -> Result<(), Stop> {
         Ok(())
     } else {
         Err(Stop::Failure("the chapters could not be built".to_owned()))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn chapters_are_chosen_by_number_and_the_pictures_of_the_book_by_name() {
+        for (text, id) in [
+            ("1", "ch01"),
+            (" 02", "ch02"),
+            ("ch03", "ch03"),
+            ("scenes", "scenes"),
+        ] {
+            assert_eq!(
+                chapter(text).map(|place| CHAPTERS[place].0),
+                Ok(id),
+                "{text}"
+            );
+        }
+        for wrong in ["0", "99", "scene", "-1", ""] {
+            let says = chapter(wrong).unwrap_err();
+            assert!(says.starts_with("the chapters are 01, 02"), "{says}");
+            assert!(says.ends_with(", scenes"), "{says}");
+        }
     }
 }

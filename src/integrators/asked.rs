@@ -30,7 +30,9 @@ pub struct RarelyAsked {
 /// Asked are the surfaces that some paths find; it is an estimate, and the same for the same scene.
 pub fn rarely_asked(scene: &Scene, max_depth: u32, samples: u64) -> Option<RarelyAsked> {
     let lights = scene.lights.len();
-    if lights < 2 {
+    // Where nothing is rough, no surface asks, and rays find the lights by the only ways there are.
+    let nobody_asks = scene.inventory.diffuse + scene.inventory.glossy == 0;
+    if lights < 2 || nobody_asks {
         return None;
     }
     let places = u64::from(max_depth.clamp(1, 8)) * lights as u64;

@@ -235,6 +235,28 @@ fn lights_that_a_small_picture_hardly_asks_are_known() {
 }
 
 #[test]
+fn where_no_surface_is_rough_no_light_is_rarely_asked() {
+    let ball = |material: &str| {
+        scene(&format!(
+            "[materials.ball]\n{material}\n[[objects]]\nmaterial = 'ball'\nsphere = {{ center = [0, 0, 4], radius = 1 }}\n\
+             [[objects]]\nemits = 1\nsphere = {{ center = [3, 0, 4], radius = 0.5 }}\n\
+             [[objects]]\nemits = 1\nsphere = {{ center = [-3, 0, 4], radius = 0.5 }}\n"
+        ))
+    };
+    assert!(rarely_asked(&ball("glass = { ior = 1.5 }"), 4, 1).is_none());
+    // One rough surface suffices for the warning.
+    assert!(rarely_asked(&ball("lambert = { albedo = 0.5 }"), 4, 1).is_some());
+    assert!(
+        rarely_asked(
+            &ball("glossy = { reflectance = 0.5, roughness = 0.2 }"),
+            4,
+            1
+        )
+        .is_some()
+    );
+}
+
+#[test]
 fn no_triangle_and_no_pixel_is_too_faint_to_be_drawn() {
     let tiny = |size: f32| Triangle {
         a: Vec3::Y,

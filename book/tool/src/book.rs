@@ -8,7 +8,7 @@ use crate::data::Run;
 use crate::directives::{self, Directive};
 use crate::edit::{Problem, rewrite};
 use crate::ledger::{self, PageLink};
-use crate::{figures, includes, listings, maths, numbers, terms};
+use crate::{figures, includes, listings, maths, numbers, terms, typed};
 
 /// What every page is prepared with.
 pub struct Preparation {
@@ -62,6 +62,7 @@ impl Preparation {
     fn prepare_page(&self, page: &mut Chapter, links: &[PageLink]) -> Vec<Problem> {
         let file = page.source_path.as_deref().unwrap_or(Path::new(""));
         let mut edits = maths::edits(&page.content);
+        edits.extend(typed::edits(&page.content));
         edits.extend(directives::edits(&page.content, |directive| {
             self.expand(directive, file, links)
         }));
@@ -171,6 +172,13 @@ mod tests {
         let problems = prepared(&pages).unwrap_err();
         assert_eq!(problems.len(), 1);
         assert!(problems[0].starts_with("book/src/a.md:1: `radiance` is explained in b.md"));
+    }
+
+    #[test]
+    fn a_typed_number_with_too_many_digits_stops_the_book() {
+        let problems = prepared(&[("a.md", "One.\n\nIt reads 0.31301.")]).unwrap_err();
+        assert_eq!(problems.len(), 1);
+        assert!(problems[0].starts_with("book/src/a.md:3: `0.31301` has more than 4 digits"));
     }
 
     #[test]

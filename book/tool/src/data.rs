@@ -61,12 +61,8 @@ pub struct Ledger {
     pub rays: f64,
     /// Seconds spent.
     pub seconds: f64,
-    /// Variance of the estimate.
-    pub variance: Option<f64>,
     /// How far its results are from known truths, where there are any.
     pub compared: Option<Compared>,
-    /// One over variance times seconds.
-    pub efficiency: Option<f64>,
     /// The same in a sentence.
     #[serde(default)]
     pub gain: String,
@@ -172,7 +168,7 @@ pub mod tests {
         let depth = run.number("ch01", "depth").unwrap();
         assert_eq!((depth.value, depth.error, depth.exact), (4.0, None, None));
         let ledger = run.chapter("ch01").unwrap().ledger.as_ref().unwrap();
-        assert_eq!((ledger.rays, ledger.variance), (2e6, None));
+        assert_eq!((ledger.rays, ledger.seconds), (2e6, 1.25));
     }
 
     #[test]

@@ -1,4 +1,7 @@
 //! `{{#ledger}}`: what every chapter paid and what it got, in one table.
+//!
+//! Variance and efficiency are in the data, and not in the table: each chapter estimates something else, so
+//! that nobody could compare two rows of them.
 
 use std::path::{Path, PathBuf};
 
@@ -6,9 +9,7 @@ use crate::data::{Compared, Ledger, REMEDY, Run};
 use crate::digits::{ERROR_DIGITS, plain, significant};
 use crate::markup::escape;
 
-/// Digits shown of what was measured: enough to compare chapters.
-const DIGITS: usize = 3;
-/// Stands for what a chapter does not estimate.
+/// Stands for what a chapter does not compare.
 const NOTHING: &str = "–";
 
 /// A page of the book, as a place to link to.
@@ -19,7 +20,8 @@ pub struct PageLink {
     pub name: String,
 }
 
-/// The table, for the page whose file is `here`; chapters without a ledger are left out.
+/// The table, for the page whose file is `here`; chapters without a ledger are left out, and what is no
+/// chapter, such as the pictures of the reference pages.
 pub fn expand(
     arguments: &[&str],
     run: &Run,
@@ -30,7 +32,7 @@ pub fn expand(
         return Err("the ledger takes no arguments".to_string());
     }
     let mut rows = String::new();
-    for key in run.chapters() {
+    for key in run.chapters().filter(|key| key.starts_with("ch")) {
         let chapter = run.chapter(key)?;
         if let Some(ledger) = &chapter.ledger {
             let name = linked_name(key, &chapter.title, pages, here);
@@ -41,23 +43,22 @@ pub fn expand(
         return Err(format!("no chapter has a ledger; {REMEDY}"));
     }
     Ok(format!(
-        "<div class=\"table-wrapper\"><table class=\"ledger\"><thead><tr><th>Chapter</th>\
-         <th>Rays</th><th>Seconds</th><th>Variance</th><th>Largest |z|, of how many</th>\
-         <th>Surprising from</th><th>Efficiency</th></tr></thead><tbody>{rows}</tbody></table></div>"
+        "<div class=\"table-wrapper\"><table class=\"ledger\"><thead><tr><th>Chapter, and what it gains</th>\
+         <th>Rays in all</th><th>Seconds in all</th><th>Known truths compared</th><th>Largest |z| of them</th>\
+         <th>Surprising from</th></tr></thead><tbody>{rows}</tbody></table></div>"
     ))
 }
 
 fn row(name: &str, ledger: &Ledger) -> String {
-    let measured = |value: Option<f64>, digits| {
-        value.map_or(NOTHING.to_string(), |value| significant(value, digits))
+    let compared = |cell: fn(&Compared) -> String| {
+        (ledger.compared.as_ref()).map_or(NOTHING.to_string(), cell)
     };
     let cells = [
         plain(ledger.rays),
-        significant(ledger.seconds, DIGITS),
-        measured(ledger.variance, DIGITS),
-        (ledger.compared.as_ref()).map_or(NOTHING.to_string(), of_how_many),
-        measured(ledger.compared.as_ref().map(|c| c.surprising), ERROR_DIGITS),
-        measured(ledger.efficiency, DIGITS),
+        significant(ledger.seconds, ERROR_DIGITS),
+        compared(|c| plain(c.comparisons)),
+        compared(largest),
+        compared(|c| significant(c.surprising, ERROR_DIGITS)),
     ];
     let gain = escape(&ledger.gain);
     format!(
@@ -66,13 +67,12 @@ fn row(name: &str, ledger: &Ledger) -> String {
     )
 }
 
-/// The largest |z| beside the number of comparisons, without which it says nothing.
-fn of_how_many(compared: &Compared) -> String {
-    let largest = match compared.largest_z {
-        Some(z) => significant(z, DIGITS),
+/// The largest |z|; that of an estimate without an error that is not the truth has no end.
+fn largest(compared: &Compared) -> String {
+    match compared.largest_z {
+        Some(z) => significant(z, ERROR_DIGITS),
         None => "∞".to_string(),
-    };
-    format!("{largest} of {}", plain(compared.comparisons))
+    }
 }
 
 /// The chapter's name, linked if the book has a page `key.md` or `key-….md`.
@@ -111,7 +111,7 @@ mod tests {
             html.contains(
                 "<tr><td><a href=\"ch01.md\">1. From the &lt;eye&gt;</a>\
                  <p>Twice the time &amp; a quarter of the noise.</p></td><td>2 000 000</td>\
-                 <td>1.25</td><td>–</td><td>2.8 of 24</td><td>4.1</td><td>65</td></tr>"
+                 <td>1.2</td><td>24</td><td>2.8</td><td>4.1</td></tr>"
             ),
             "{html}"
         );
@@ -137,6 +137,10 @@ mod tests {
         assert!(refusal(&[], &broken()).starts_with("cannot read ch01/data.json"));
         let empty = Run::load(PathBuf::from("nowhere"));
         assert!(refusal(&[], &empty).starts_with("no chapter has a ledger"));
+        // Pictures are no chapter, and spend nothing that a chapter could be measured by.
+        let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("fixtures");
+        let pictures = Run::load(folder.join("pictures"));
+        assert!(refusal(&[], &pictures).starts_with("no chapter has a ledger"));
         assert_eq!(
             refusal(&["ch01"], &fixtures()),
             "the ledger takes no arguments"

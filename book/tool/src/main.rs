@@ -18,6 +18,7 @@ mod markup;
 mod maths;
 mod numbers;
 mod terms;
+mod typed;
 
 use std::io;
 use std::path::PathBuf;

@@ -8,7 +8,7 @@ use crate::edit::Edit;
 use crate::markup::hide_from_markdown;
 
 /// How mdBook reads Markdown, and maths besides.
-const DIALECT: Options = Options::ENABLE_TABLES
+pub const DIALECT: Options = Options::ENABLE_TABLES
     .union(Options::ENABLE_FOOTNOTES)
     .union(Options::ENABLE_STRIKETHROUGH)
     .union(Options::ENABLE_TASKLISTS)
@@ -88,20 +88,65 @@ fn mathml(latex: &str, display_mode: DisplayMode) -> Result<String, String> {
         config,
     )
     .map_err(|error| refusal(&error.to_string()))?;
-    if ["<msup><mspace", "<msub><mspace"]
-        .iter()
-        .any(|broken| html.contains(broken))
-    {
-        // Three children where there must be two: browsers set such a power on the line.
-        return Err(refusal(
-            "write `(\\cos\\theta)^2`, for a power of the function's name becomes invalid MathML",
-        ));
+    if let Some(element) = wrong_children(&html) {
+        // Browsers set a power of three children on the line.
+        return Err(refusal(&format!(
+            "this becomes invalid MathML, `<{element}>` with a wrong number of parts; instead of `\\cos^2\\theta` \
+             write `(\\cos\\theta)^2`"
+        )));
     }
     let html = hide_from_markdown(&tighten(html));
     Ok(match display_mode {
         DisplayMode::Inline => html,
         DisplayMode::Block => format!("<span class=\"formula\">{html}</span>"),
     })
+}
+
+/// How many children an element of MathML must have, for those where browsers care.
+const CHILDREN: [(&str, usize); 8] = [
+    ("msup", 2),
+    ("msub", 2),
+    ("mfrac", 2),
+    ("mroot", 2),
+    ("mover", 2),
+    ("munder", 2),
+    ("msubsup", 3),
+    ("munderover", 3),
+];
+
+/// The first element that has not as many children as it must have, or that does not end.
+fn wrong_children(html: &str) -> Option<String> {
+    // The elements around the place that is read, each with the number of its children so far.
+    let mut open: Vec<(&str, usize)> = Vec::new();
+    for tag in html.split('<').skip(1) {
+        let inside = tag.split('>').next().unwrap_or_default();
+        let name = inside
+            .trim_start_matches('/')
+            .split([' ', '/'])
+            .next()
+            .unwrap_or_default();
+        if !name.starts_with(char::is_alphabetic) {
+            // A sign in the text.
+            continue;
+        }
+        if inside.starts_with('/') {
+            let Some((opened, children)) = open.pop() else {
+                return Some(name.to_string());
+            };
+            let must = CHILDREN.iter().find(|(known, _)| *known == name);
+            if opened != name || must.is_some_and(|&(_, must)| must != children) {
+                return Some(opened.to_string());
+            }
+        } else {
+            if let Some((_, children)) = open.last_mut() {
+                *children += 1;
+            }
+            if !inside.ends_with('/') {
+                open.push((name, 0));
+            }
+        }
+    }
+    open.pop().map(|(name, _)| name.to_string())
 }
 
 /// Takes the space from around bars and slashes: browsers set them like relations, `|x|` as wide
@@ -191,6 +236,28 @@ mod tests {
         let failures = refused("$A \\cos^4\\theta$");
         assert!(failures[0].1.contains("invalid MathML"), "{failures:?}");
         assert!(written("$A (\\cos\\theta)^4$").contains("<msup>"));
+    }
+
+    #[test]
+    fn elements_with_a_wrong_number_of_children_are_noticed() {
+        for (html, wrong) in [
+            ("<math><msup><mi>x</mi><mn>2</mn></msup></math>", None),
+            (
+                "<math><mo><</mo><mspace width=\"1em\"/><mi>x</mi></math>",
+                None,
+            ),
+            ("<msup><mspace/><mi>cos</mi><mn>4</mn></msup>", Some("msup")),
+            (
+                "<msup><mrow><mi>a</mi><mi>b</mi></mrow><mn>2</mn></msup>",
+                None,
+            ),
+            ("<mrow><mfrac><mn>1</mn></mfrac></mrow>", Some("mfrac")),
+            ("<msubsup><mi>a</mi><mi>b</mi></msubsup>", Some("msubsup")),
+            ("<mrow><mi>a</mi>", Some("mrow")),
+            ("<mi>a</mi></mrow>", Some("mrow")),
+        ] {
+            assert_eq!(wrong_children(html).as_deref(), wrong, "{html}");
+        }
     }
 
     #[test]

@@ -56,8 +56,16 @@ fn terms(glossary: &str) -> Vec<Term> {
     .collect()
 }
 
+/// Where a page ends and its list of sources begins, whose titles are no prose.
+const SOURCES: [&str; 2] = ["\n## Further reading", "\n## References"];
+
 /// The running text of a page, in lower case.
 fn prose(text: &str) -> String {
+    let end = SOURCES
+        .iter()
+        .filter_map(|heading| text.find(heading))
+        .min();
+    let text = &text[..end.unwrap_or(text.len())];
     let options = Options::ENABLE_TABLES | Options::ENABLE_MATH;
     let (mut prose, mut silent) = (String::new(), 0);
     for event in Parser::new_ext(text, options) {
@@ -118,6 +126,7 @@ mod tests {
             "`radiance`\n\n```text\nbrdf\n```\n",
             "Irradiance and radiances.",
             "$radiance$",
+            "Light.\n\n## Further reading\n\n- Somebody, *Radiance*.",
         ] {
             assert_eq!(problems(fine), [], "{fine}");
         }
