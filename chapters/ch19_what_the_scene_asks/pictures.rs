@@ -37,7 +37,9 @@ fn look_at(class: Class) -> &'static str {
         Class::SeenSpecular => "The lamp in the ball and in the block, where they show it.",
         Class::Direct => "Shadows are black: no light comes from the walls.",
         Class::DirectSpecular => "The lit room in the mirror, and upside down in the glass.",
-        Class::Bleeding => "The ceiling, which the lamp itself does not reach, and the tint of the walls.",
+        Class::Bleeding => {
+            "The ceiling, which the lamp itself does not reach, and the tint of the walls."
+        }
         Class::Caustic => "The spot under the ball, and its glow on the walls around.",
     }
 }
@@ -47,9 +49,10 @@ pub fn work(desk: &mut Desk) -> Result<Drawn, DeskError> {
     let scene = load(FINAL, desk.choose([480; 2], [48; 2]))?;
     let path = Path::new(scene.suggested.max_depth);
     let whole = paint(desk, &scene, desk.spp(160, 8), &path)?;
-    let caption = "The final room. Look for the bright spot that the glass ball gathers on the floor, for the red \
-                   and the green that the walls lend to what stands near them, and for all of it once more in the \
-                   mirror block.";
+    let caption = "The final room. Look for the bright spot that the glass ball gathers on the floor, for the second one \
+                   high on the green wall, which the mirror throws there, and for the tint that the walls lend to the \
+                   ceiling. The specks on the block and in the ball are caustics seen in a mirror or through glass: the \
+                   one kind of light here that is still found by chance.";
     desk.picture("image.png", caption, &whole.film, &scene)?;
 
     let scene = load(FINAL, desk.choose([144; 2], [32; 2]))?;

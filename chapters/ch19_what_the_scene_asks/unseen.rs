@@ -23,7 +23,8 @@ pub fn pictures(desk: &mut Desk) -> Result<u64, DeskError> {
         (
             "point_photons.png",
             &photons,
-            "Photons: the same room with all of its light. The ball now shows the spot, a little blurred.",
+            "Photons: the same with all of its light. Look at the streak in the lower part of the ball, and at the arc \
+             near its upper rim: both are images of the spot, a little blurred.",
         ),
     ];
     let mut rays = 0;
