@@ -26,11 +26,11 @@ pub fn drawing(desk: &mut Desk) -> Result<(), DeskError> {
     let ends = [2.7, 3.9].map(|height| at(2.0 * (height - same), same));
     sketch.arrow(StrokeKind::Normal, ends[0], ends[1]);
     sketch.word(at(3.1, 1.93), "the price of B");
-    let corner = [at(0.9, 2.25), at(2.3, 2.25), at(2.3, 1.55)];
+    let corner = [at(3.0, 1.2), at(4.4, 1.2), at(4.4, 0.5)];
     sketch.line(StrokeKind::Axis, corner[0], corner[1]);
     sketch.line(StrokeKind::Axis, corner[1], corner[2]);
-    sketch.word(at(1.7, 2.42), "4 times the rays");
-    sketch.word(at(1.3, 1.45), "half the error");
+    sketch.word(at(3.75, 1.36), "4 times the rays");
+    sketch.word(at(5.05, 0.85), "half the error");
     let caption = "Independent samples make a line of slope -1/2 on logarithmic axes: four times the rays, half the error. Two \
                    methods make two parallel lines. The distance between them along the axis of rays is the price: it is \
                    the same at every error.";

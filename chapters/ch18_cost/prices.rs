@@ -105,8 +105,7 @@ pub fn work(desk: &mut Desk) -> Result<Prices, DeskError> {
 fn of_few(list: &PriceList) -> PriceList {
     let mut few = list.clone();
     let apart = ["whitted", "kajiya", BASE, "path-sobol", "clamped"];
-    few.methods
-        .retain(|method| apart.contains(&method.name));
+    few.methods.retain(|method| apart.contains(&method.name));
     few
 }
 
@@ -203,13 +202,13 @@ fn equal_time(
         let shown = show(scene, measured, &runs.method, spp, seed, &desk.bar("strip"));
         let shown = shown.ok_or(DeskError::Interrupted)?;
         pictures.extend([shown.film, shown.off]);
-        errors.push(format!("{} {:.0} %", shown.name, 100.0 * shown.error));
+        errors.push(format!("{} {:.0}\u{a0}%", shown.name, 100.0 * shown.error));
     }
     let errors = errors.join(", ");
     let caption = format!(
         "Equal time, {seconds} s for each column, and below each picture its signed error (red is too bright, blue too \
-         dark). From left to right: {errors}. Look for the noise of chance on the left, and for the red and blue \
-         patches without any noise: they are bias."
+         dark). From left to right: {errors}. Look for the noise of kajiya and roulette, which find the lamp by chance, \
+         and for even patches of one colour: those are bias."
     );
     let strip = side_by_side(&pictures);
     desk.picture("time_strip.png", &caption, &strip, scene)
