@@ -83,14 +83,15 @@ pub fn pictures(desk: &mut Desk) -> Result<u64, DeskError> {
         (
             "acne_end.png",
             Start::EndOfRay,
-            "Shadow rays start where the ray from the eye ended. Look at the specks: half of the points lie below their \
-             own surface, and shadow themselves.",
+            "Shadow rays start where the ray from the eye ended. Look at the specks: these points lie below their own \
+             surface, and shadow themselves. The bands begin where a coordinate passes a power of two and is rounded \
+             differently.",
         ),
         (
             "acne_fixed.png",
             Start::Fixed,
             "They start 0.001 above it. No specks, but look at where the balls stand: the step is as long as a ball is \
-             wide, and the shadows have come off.",
+             high, and the shadows have moved, as if the table top were that much higher.",
         ),
         (
             "acne_bounded.png",
