@@ -35,7 +35,8 @@ pub fn work(desk: &mut Desk) -> Result<(), DeskError> {
 }
 
 // ANCHOR: parts
-/// What a window of this radius reads in the mean at the foot of the lamp, where the truth is 1; and the variance of it.
+/// What a window of this radius reads in the mean at the foot of the lamp, where the truth is 1;
+/// and the variance of it.
 fn window(radius: f64, walks: u32) -> (f64, f64) {
     // The share of the lamp's light that falls into the window, times its power 2 π.
     let share = libm::atan(radius) / PI;
@@ -49,7 +50,7 @@ fn window(radius: f64, walks: u32) -> (f64, f64) {
 fn variance(desk: &mut Desk) -> Result<(), DeskError> {
     let world = flat_world("lamp.toml", LAMP)?;
     let design = Design {
-        replicates: desk.choose(256, 64),
+        replicates: desk.choose(400, 64),
         doublings: desk.choose(7, 5),
         first: 128,
         seed: desk.options.seed,
@@ -93,9 +94,8 @@ fn variance(desk: &mut Desk) -> Result<(), DeskError> {
                 (n * variance, (2.0 + excess) / f64::from(design.replicates))
             });
         let sizes: Vec<(f64, f64)> = sizes.collect();
-        let mean_of = |part: fn(&(f64, f64)) -> f64| {
-            sizes.iter().map(part).sum::<f64>() / sizes.len() as f64
-        };
+        let mean_of =
+            |part: fn(&(f64, f64)) -> f64| sizes.iter().map(part).sum::<f64>() / sizes.len() as f64;
         let found = mean_of(|size| size.0);
         let own = (mean_of(|size| size.1) / sizes.len() as f64).sqrt();
         let number = Number {

@@ -3,12 +3,12 @@
 use super::scene;
 use halfdisk::integrators::{self, Integrator, Settings};
 use halfdisk::lab::chapter::{Desk, DeskError, Number};
-use halfdisk::lab::drawing::{Axis, Curve, CurveChart, Style};
+use halfdisk::lab::drawing::{Axis, Curve, CurveChart, HALF, Style};
 use halfdisk::lab::experiment::cost::Reference;
 use halfdisk::render::{Options, Session, render};
 use halfdisk::scene::{Scene, gallery};
-use halfdisk::stats::{Estimate, Measurement};
 use halfdisk::stats::slope::Line;
+use halfdisk::stats::{Estimate, Measurement};
 
 /// Path tracing as the slides have it, with shadow rays; walks from the lights; and photons.
 const METHODS: [&str; 3] = ["combine", "light-tracer", "photons"];
@@ -62,7 +62,7 @@ fn one(desk: &mut Desk, scene_name: &str, scene: &Scene, truth: &str) -> Result<
         }
     };
     let truth = Reference::new(&half(1)?, &half(2)?, spp);
-    let (doublings, replicates) = (desk.choose(8, 6), desk.choose(8, 3_u64));
+    let (doublings, replicates) = (desk.choose(8, 6), desk.choose(5, 3_u64));
     let mut courses = Vec::new();
     for name in METHODS {
         let by = made(name, scene)?;
@@ -134,13 +134,11 @@ fn crossing(a: Line, b: Line) -> f64 {
     libm::exp((b.intercept - a.intercept) / (a.slope - b.slope))
 }
 
-/// Samples per pixel, or seconds, from which on the faster law is ahead.
-fn ahead_from([path, _, photons]: [&Course; 3], timed: bool) -> f64 {
-    let last = path.squares.len() - 1;
-    crossing(
-        path.law(path.cost(last, timed)),
-        photons.law(photons.cost(last, timed)),
-    )
+/// Samples per pixel, or seconds, from which on one method has a smaller error than another whose law is slower.
+fn ahead_from([one, other]: [&Course; 2], timed: bool) -> f64 {
+    let last = one.squares.len() - 1;
+    let law = |course: &Course| course.law(course.cost(last, timed));
+    crossing(law(one), law(other))
 }
 
 fn say(desk: &mut Desk, scene: &str, courses: &[Course]) {
@@ -179,22 +177,26 @@ fn say(desk: &mut Desk, scene: &str, courses: &[Course]) {
         ..Number::new(&says, ratio)
     };
     desk.number(&format!("ratio_{scene}"), number);
-    // From where the slower law of photons is above that of path tracing.
-    let all = [path, light, photons];
-    let says = format!(
-        "samples per pixel from which path tracing has the smaller error, {scene}, by the laws"
-    );
-    desk.value(&format!("crossing_{scene}"), &says, ahead_from(all, false));
-    let says =
-        format!("seconds from which path tracing has the smaller error, {scene}, by the laws");
-    desk.value(
-        &format!("time_crossing_{scene}"),
-        &says,
-        ahead_from(all, true),
-    );
+    // From where the slower law of photons is above those of path tracing and of light tracing.
+    for (key, unit, course, timed) in [
+        ("crossing", "samples per pixel", path, false),
+        ("time_crossing", "seconds", path, true),
+        ("time_crossing_light", "seconds", light, true),
+    ] {
+        let says = format!(
+            "{unit} from which {} has a smaller error than photons, {scene}, by the laws",
+            course.name
+        );
+        let from = ahead_from([course, photons], timed);
+        desk.value(&format!("{key}_{scene}"), &says, from);
+    }
 }
 
 fn chart(desk: &mut Desk, scene: &str, courses: &[Course]) -> Result<(), DeskError> {
+    let what = match scene {
+        "caustic" => "A caustic",
+        _ => "The box with two blocks",
+    };
     for (file, x_label, timed) in [
         (format!("samples_{scene}.svg"), "samples per pixel", false),
         (format!("time_{scene}.svg"), "seconds", true),
@@ -213,34 +215,31 @@ fn chart(desk: &mut Desk, scene: &str, courses: &[Course]) -> Result<(), DeskErr
             curves.push(Curve::new("", Style::Dashed, ends).coloured(place));
         }
         let chart = CurveChart {
-            title: format!("Error against {x_label}: {scene}"),
-            x_label: format!("{x_label}; bars: one standard error; dashed: the law"),
+            title: what.to_owned(),
+            x_label: x_label.to_owned(),
             y_label: "relative error".to_owned(),
             x_axis: Axis::Log,
             y_axis: Axis::Log,
             curves,
         };
-        let what = match scene {
-            "caustic" => "The caustic under a ball of glass",
-            _ => "The box with two blocks",
-        };
         let caption = format!(
-            "{what}: relative error against {x_label}. Dashed are the laws through the last points: slope -1/2 for paths from \
-             the eye and from the light, -1/3 for photons. Where a line of each kind crosses, the unbiased method gets ahead."
+            "{what}: relative error against {x_label}. Dashed: the laws through the last points, with slope -1/2 for walks from \
+             the eye and from the light, and -1/3 for photons. Where two of them cross, the unbiased method gets ahead. \
+             Bars: one standard error."
         );
-        desk.figure(&file, &caption, chart.to_svg()?)?;
+        desk.figure(&file, &caption, chart.to_svg_at(HALF)?)?;
     }
     Ok(())
 }
 
 /// The caustic by all three, in the same time.
 fn strip(desk: &mut Desk, scene: &Scene) -> Result<(), DeskError> {
-    let scene = scene.clone().sized(desk.choose([200; 2], [40; 2]));
-    let seconds = desk.choose(1.0, 0.2);
+    let scene = scene.clone().sized(desk.choose([120; 2], [40; 2]));
+    let seconds = desk.choose(2.0, 0.2);
     for (name, look) in METHODS.into_iter().zip([
-        "Look at the specks in the spot: each is a walk that found the lamp through the glass.",
-        "The spot is smooth, and its rim is sharp.",
-        "The spot is smooth, and its rim is a little soft: that is the blur.",
+        "Look at the single bright specks: each is a walk that found the lamp through the glass by chance.",
+        "Fine grain, and a sharp rim.",
+        "Look at the grain: it is as coarse as a disc, for each photon counts for all pixels near it. That is the blur.",
     ]) {
         let by = made(name, &scene)?;
         let options = Options {

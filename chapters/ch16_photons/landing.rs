@@ -45,6 +45,7 @@ fn window(desk: &mut Desk) -> Result<(), DeskError> {
     let world = flat_world("lamp.toml", LAMP)?;
     let mut drawing = flat::world(&world);
     drawing.title = "Photons on a line".to_owned();
+    drawing.bare = true;
     let (at, radius) = (0.35, 0.25);
     let photons = first_photons(&world, 120, desk.options.seed, 0);
     let shown = |photon: &&Photon<Flat>| photon.p.x.abs() < 1.6;

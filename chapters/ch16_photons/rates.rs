@@ -6,7 +6,7 @@ use glam::{Vec2, Vec3};
 use halfdisk::integrators::Photons;
 use halfdisk::integrators::world::{FlatTracer, PhotonWorld};
 use halfdisk::lab::chapter::{Desk, DeskError, Number};
-use halfdisk::lab::drawing::{Axis, Curve, CurveChart, Style};
+use halfdisk::lab::drawing::{Axis, Curve, CurveChart, HALF, Style};
 use halfdisk::photons::{Kernel, PhotonMap, radius};
 use halfdisk::sampling::stream::Stream;
 use halfdisk::scene::Tracer;
@@ -150,5 +150,9 @@ fn world(desk: &mut Desk, name: &str, fastest: f64, slope: f64, run: Run) -> Res
         "Error below a lamp against the number of passes. With {around} of one size it levels out at their blur. With \
          {around} that shrink (α = {fastest:.3}) it goes on falling along its law. Bars: one standard error."
     );
-    desk.figure(&format!("rates_{name}.svg"), &caption, chart.to_svg()?)
+    desk.figure(
+        &format!("rates_{name}.svg"),
+        &caption,
+        chart.to_svg_at(HALF)?,
+    )
 }

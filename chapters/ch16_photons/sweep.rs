@@ -12,7 +12,11 @@ const RADII: [(f32, &str, &str); 3] = [
         "small",
         "few photons on each. Look at the specks in the spot: they are noise.",
     ),
-    (0.02, "middle", "both errors are small, and neither is gone."),
+    (
+        0.02,
+        "middle",
+        "the grain is coarser and fainter, and the rim a little soft.",
+    ),
     (
         0.1,
         "large",
