@@ -114,8 +114,8 @@ impl Photons {
     }
 
     // ANCHOR: leave
-    /// Traces one path from a light at the moment `time`, in `[0, 1]`, and calls `leave` with its photons: one at each
-    /// surface that is not perfectly specular.
+    /// Traces one path from a light at the moment `time`, in `[0, 1]`, and calls `leave` with its
+    /// photons: one at each surface that is not perfectly specular.
     pub fn trace<S: Space, W: PhotonWorld<S>>(
         &self,
         world: &mut W,
