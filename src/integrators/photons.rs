@@ -196,8 +196,8 @@ impl Photons {
     // ANCHOR_END: radiance
 
     // ANCHOR: look
-    /// One estimate of the radiance along a ray from the eye; `photons` says what those of a pass bring to a
-    /// point by paths of at most so many segments.
+    /// One estimate of the radiance along a ray from the eye; `photons` says what those of a pass bring
+    /// to a point by paths of at most so many segments.
     pub(super) fn walk<S: Space, W: PhotonWorld<S>>(
         &self,
         world: &mut W,
