@@ -24,3 +24,6 @@ pub mod shrinking_lamp;
 
 #[path = "../chapters/ch18_cost/noise.rs"]
 pub mod noise;
+
+#[path = "../chapters/ch17_hard_cases/spacing.rs"]
+pub mod spacing;

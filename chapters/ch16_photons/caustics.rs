@@ -130,6 +130,7 @@ pub fn work(desk: &mut Desk) -> Result<(), DeskError> {
 fn ellipse(desk: &mut Desk) -> Result<(), DeskError> {
     let world = flat_world("ellipse.toml", ELLIPSE)?;
     let mut drawing = flat::world(&world);
+    drawing.bare = true;
     for k in 0..36 {
         let angle = (10.0 * f64::from(k) + 5.0).to_radians();
         let (sin, cos) = libm::sincos(angle);
@@ -160,6 +161,7 @@ fn ellipse(desk: &mut Desk) -> Result<(), DeskError> {
 fn lens(desk: &mut Desk) -> Result<(), DeskError> {
     let world = flat_world("lens.toml", LENS)?;
     let mut drawing = flat::world(&world);
+    drawing.bare = true;
     for k in -9..=9 {
         let from = Vec2::new(-1.9, 0.075 * k as f32);
         drawing
@@ -187,6 +189,7 @@ fn lens(desk: &mut Desk) -> Result<(), DeskError> {
 fn round(desk: &mut Desk) -> Result<(), DeskError> {
     let world = flat_world("round.toml", ROUND)?;
     let mut drawing = flat::world(&world);
+    drawing.bare = true;
     for k in -18..=18 {
         let y = 0.05 * f64::from(k);
         let points = way(&world, Vec2::new(-0.25, y as f32), Vec2::X);
@@ -210,6 +213,7 @@ fn round(desk: &mut Desk) -> Result<(), DeskError> {
 fn ball(desk: &mut Desk) -> Result<(), DeskError> {
     let world = flat_world("ball.toml", BALL)?;
     let mut drawing = flat::world(&world);
+    drawing.bare = true;
     let lamp = Vec2::new(0.0, 2.0 / 3.0);
     let image = DVec2::new(0.0, 1.5);
     let mut worst = 0.0_f64;

@@ -4,8 +4,10 @@ use super::landing::{LAMP, first_photons, flat_world};
 use super::scene;
 use glam::{Vec2, Vec3};
 use halfdisk::integrators::Photons;
-use halfdisk::lab::chapter::{Desk, DeskError};
+use halfdisk::lab::chapter::{Desk, DeskError, Number};
 use halfdisk::lab::drawing::{Axis, Curve, CurveChart, Style};
+use halfdisk::lab::experiment::convergence::{Design, Estimator, Sizes, converge};
+use halfdisk::lab::figures::variance_chart;
 use halfdisk::photons::edge::share_on_rectangle;
 use halfdisk::photons::nearest::{Count, density};
 use halfdisk::photons::{Kernel, PhotonMap};
@@ -17,6 +19,7 @@ use std::f64::consts::PI;
 
 pub fn work(desk: &mut Desk) -> Result<(), DeskError> {
     desk.say("\na window on a line");
+    variance(desk)?;
     u_curve(desk)?;
     plate(desk)?;
     for k in [5, 20, 50] {
@@ -32,7 +35,8 @@ pub fn work(desk: &mut Desk) -> Result<(), DeskError> {
 }
 
 // ANCHOR: parts
-/// What a window of this radius reads in the mean at the foot of the lamp, where the truth is 1; and the variance of it.
+/// What a window of this radius reads in the mean at the foot of the lamp, where the truth is 1;
+/// and the variance of it.
 fn window(radius: f64, walks: u32) -> (f64, f64) {
     // The share of the lamp's light that falls into the window, times its power 2 π.
     let share = libm::atan(radius) / PI;
@@ -41,6 +45,71 @@ fn window(radius: f64, walks: u32) -> (f64, f64) {
     (share * over, variance * over * over)
 }
 // ANCHOR_END: parts
+
+/// The variance of what three windows read, against the number of photons.
+fn variance(desk: &mut Desk) -> Result<(), DeskError> {
+    let world = flat_world("lamp.toml", LAMP)?;
+    let design = Design {
+        replicates: desk.choose(400, 64),
+        doublings: desk.choose(7, 5),
+        first: 128,
+        seed: desk.options.seed,
+    };
+    let mut runs = Vec::new();
+    for (key, name, radius) in [
+        ("wide", "radius 1", 1.0_f32),
+        ("middle", "radius 1/4", 0.25),
+        ("narrow", "radius 1/16", 0.0625),
+    ] {
+        let world = &world;
+        let estimator = Estimator {
+            name,
+            about: "",
+            truth: 1.0,
+            rays_per_sample: 1,
+            sizes: Sizes::Doublings,
+            run: move |walks: u32, seed: u64| {
+                let photons = first_photons(world, walks, seed, 0);
+                let map = PhotonMap::new(photons, walks, radius, Kernel::Constant);
+                let read = map.estimate(Vec2::ZERO, Vec2::Y, radius, |photon| photon.power);
+                f64::from(read.g)
+            },
+        };
+        let run = converge(&estimator, &design);
+        let (mean, one) = window(f64::from(radius), 1);
+        if let Some(last) = run.sizes.last() {
+            let number = Number {
+                error: Some(last.bias_error),
+                ..Number::new(&format!("mean of a window of {name}"), 1.0 + last.bias)
+            };
+            desk.number(&format!("window_mean_{key}"), number.exact(mean));
+        }
+        // N times the variance is the same at all sizes: all of them tell it. A count's fourth moment says how well.
+        let sizes = (run.sizes.iter())
+            .filter_map(|size| Some((f64::from(size.samples), size.variance?)))
+            .map(|(n, variance)| {
+                let share = libm::atan(f64::from(radius)) / PI;
+                let one = share * (1.0 - share);
+                let excess = (1.0 - 6.0 * one) / (n * one);
+                (n * variance, (2.0 + excess) / f64::from(design.replicates))
+            });
+        let sizes: Vec<(f64, f64)> = sizes.collect();
+        let mean_of =
+            |part: fn(&(f64, f64)) -> f64| sizes.iter().map(part).sum::<f64>() / sizes.len() as f64;
+        let found = mean_of(|size| size.0);
+        let own = (mean_of(|size| size.1) / sizes.len() as f64).sqrt();
+        let number = Number {
+            error: Some(own * found),
+            ..Number::new(&format!("variance of one walk, window of {name}"), found)
+        };
+        desk.number(&format!("window_variance_{key}"), number.exact(one));
+        runs.push((run, Some(one)));
+    }
+    let chart = variance_chart("Three windows below the lamp", &runs);
+    let caption = "Variance of what a window reads against the number N of walks. All three follow σ²/N; dashed, σ² by the \
+                   formula of the text. The narrower the window, the fewer photons, and the higher the line.";
+    desk.figure("rate.svg", caption, chart.to_svg()?)
+}
 
 fn u_curve(desk: &mut Desk) -> Result<(), DeskError> {
     let world = flat_world("lamp.toml", LAMP)?;
@@ -65,7 +134,7 @@ fn u_curve(desk: &mut Desk) -> Result<(), DeskError> {
     let seen = points(&bias).into_iter().filter(|(_, y)| *y > 1e-4);
     let chart = CurveChart {
         title: "The size of a window".to_owned(),
-        x_label: "radius of the window".to_owned(),
+        x_label: "radius of the window, m".to_owned(),
         y_label: "squared error".to_owned(),
         x_axis: Axis::Log,
         y_axis: Axis::Log,
@@ -77,8 +146,9 @@ fn u_curve(desk: &mut Desk) -> Result<(), DeskError> {
         ],
     };
     let caption = format!(
-        "Squared error of the light below the lamp, from {walks} photons. A small window counts few, a large one looks beyond \
-         the place. Their sum is least where bias² is a quarter of the variance."
+        "Squared error of the light below the lamp, from {walks} walks. Left of the lowest place the error is noise, because \
+         a small window holds few photons. Right of it the error is blur, because a large window reaches beyond the place. \
+         Bars: one standard error."
     );
     desk.figure("u_curve.svg", &caption, chart.to_svg()?)?;
     let least = |all: &dyn Fn(usize) -> f64| {

@@ -2,13 +2,13 @@
 
 use super::scene;
 use halfdisk::integrators::{self, Integrator, Settings};
-use halfdisk::lab::chapter::{Desk, DeskError};
-use halfdisk::lab::drawing::{Axis, Curve, CurveChart, Style};
+use halfdisk::lab::chapter::{Desk, DeskError, Number};
+use halfdisk::lab::drawing::{Axis, Curve, CurveChart, HALF, Style};
 use halfdisk::lab::experiment::cost::Reference;
-use halfdisk::render::{Film, Options, Session, render};
+use halfdisk::render::{Options, Session, render};
 use halfdisk::scene::{Scene, gallery};
-use halfdisk::stats::Estimate;
 use halfdisk::stats::slope::Line;
+use halfdisk::stats::{Estimate, Measurement};
 
 /// Path tracing as the slides have it, with shadow rays; walks from the lights; and photons.
 const METHODS: [&str; 3] = ["combine", "light-tracer", "photons"];
@@ -62,7 +62,7 @@ fn one(desk: &mut Desk, scene_name: &str, scene: &Scene, truth: &str) -> Result<
         }
     };
     let truth = Reference::new(&half(1)?, &half(2)?, spp);
-    let (doublings, replicates) = (desk.choose(8, 6), 3_u64);
+    let (doublings, replicates) = (desk.choose(8, 6), desk.choose(5, 3_u64));
     let mut courses = Vec::new();
     for name in METHODS {
         let by = made(name, scene)?;
@@ -97,16 +97,34 @@ fn one(desk: &mut Desk, scene_name: &str, scene: &Scene, truth: &str) -> Result<
 
 impl Course {
     /// The relative error after `2^k` samples.
-    fn error(&self, k: usize) -> f64 {
-        self.squares[k].mean().max(0.0).sqrt()
+    fn error(&self, k: usize) -> Measurement {
+        self.squares[k].root()
     }
 
-    /// A line of the law's slope through the last point: error against samples or seconds.
-    fn law(&self, slope: f64, last: f64) -> Line {
-        let error = self.error(self.squares.len() - 1);
+    /// The slope of its law: photons pay for their blur.
+    fn slope(&self) -> f64 {
+        if self.name == "photons" {
+            -1.0 / 3.0
+        } else {
+            -0.5
+        }
+    }
+
+    /// Its law through the last point: error against samples or seconds, of which the last point took `last`.
+    fn law(&self, last: f64) -> Line {
+        let error = self.error(self.squares.len() - 1).value;
         Line {
-            slope,
-            intercept: libm::log(error) - slope * libm::log(last),
+            slope: self.slope(),
+            intercept: libm::log(error) - self.slope() * libm::log(last),
+        }
+    }
+
+    /// Samples per pixel, or seconds, of the point `k`.
+    fn cost(&self, k: usize, timed: bool) -> f64 {
+        if timed {
+            self.seconds[k]
+        } else {
+            f64::from(1_u32 << k)
         }
     }
 }
@@ -114,6 +132,13 @@ impl Course {
 /// Where two laws meet.
 fn crossing(a: Line, b: Line) -> f64 {
     libm::exp((b.intercept - a.intercept) / (a.slope - b.slope))
+}
+
+/// Samples per pixel, or seconds, from which on one method has a smaller error than another whose law is slower.
+fn ahead_from([one, other]: [&Course; 2], timed: bool) -> f64 {
+    let last = one.squares.len() - 1;
+    let law = |course: &Course| course.law(course.cost(last, timed));
+    crossing(law(one), law(other))
 }
 
 fn say(desk: &mut Desk, scene: &str, courses: &[Course]) {
@@ -127,11 +152,12 @@ fn say(desk: &mut Desk, scene: &str, courses: &[Course]) {
                 course.name,
                 1 << k
             );
-            desk.value(
-                &format!("error_{name}_{scene}_{}", 1 << k),
-                &says,
-                100.0 * course.error(k),
-            );
+            let Measurement { value, error } = course.error(k).percent();
+            let number = Number {
+                error: Some(error),
+                ..Number::new(&says, value)
+            };
+            desk.number(&format!("error_{name}_{scene}_{}", 1 << k), number);
         }
         let says = format!(
             "seconds for {samples} samples per pixel by {}, {scene}",
@@ -139,62 +165,82 @@ fn say(desk: &mut Desk, scene: &str, courses: &[Course]) {
         );
         desk.value(&format!("time_{name}_{scene}"), &says, course.seconds[last]);
     }
-    let [path, _, photons] = courses else { return };
-    let ratio = path.error(4) / photons.error(4);
+    let [path, light, photons] = courses else {
+        return;
+    };
+    let [one, other] = [path, photons].map(|course| course.error(4));
+    let ratio = one.value / other.value;
     let says =
         format!("error of path tracing over that of photons at 16 samples per pixel, {scene}");
-    desk.value(&format!("ratio_{scene}"), &says, ratio);
-    // From where the slower law of photons is above that of path tracing.
-    let at = |p: f64, q: f64| crossing(path.law(-0.5, p), photons.law(-1.0 / 3.0, q));
-    let says = format!(
-        "samples per pixel from which path tracing has the smaller error, {scene}, by the laws"
-    );
-    desk.value(&format!("crossing_{scene}"), &says, at(samples, samples));
-    let says =
-        format!("seconds from which path tracing has the smaller error, {scene}, by the laws");
-    let seconds = at(path.seconds[last], photons.seconds[last]);
-    desk.value(&format!("time_crossing_{scene}"), &says, seconds);
+    let number = Number {
+        error: Some(ratio * (one.error / one.value).hypot(other.error / other.value)),
+        ..Number::new(&says, ratio)
+    };
+    desk.number(&format!("ratio_{scene}"), number);
+    // From where the slower law of photons is above those of path tracing and of light tracing.
+    for (key, unit, course, timed) in [
+        ("crossing", "samples per pixel", path, false),
+        ("time_crossing", "seconds", path, true),
+        ("time_crossing_light", "seconds", light, true),
+    ] {
+        let says = format!(
+            "{unit} from which {} has a smaller error than photons, {scene}, by the laws",
+            course.name
+        );
+        let from = ahead_from([course, photons], timed);
+        desk.value(&format!("{key}_{scene}"), &says, from);
+    }
 }
 
 fn chart(desk: &mut Desk, scene: &str, courses: &[Course]) -> Result<(), DeskError> {
+    let what = match scene {
+        "caustic" => "A caustic",
+        _ => "The box with two blocks",
+    };
     for (file, x_label, timed) in [
         (format!("samples_{scene}.svg"), "samples per pixel", false),
         (format!("time_{scene}.svg"), "seconds", true),
     ] {
-        let curves = courses.iter().map(|course| {
+        let mut curves = Vec::new();
+        for (place, course) in courses.iter().enumerate() {
             let points = (0..course.squares.len())
-                .filter(|&k| course.error(k) > 0.0)
-                .map(|k| {
-                    let x = if timed {
-                        course.seconds[k]
-                    } else {
-                        f64::from(1_u32 << k)
-                    };
-                    let root = course.squares[k].root();
-                    (x, root.value, root.error)
-                });
-            Curve::measured(course.name, Style::MarksAndLine, points)
-        });
+                .map(|k| (course.cost(k, timed), course.error(k)))
+                .filter(|(_, error)| error.value > 0.0)
+                .map(|(x, error)| (x, error.value, error.error));
+            let marks = Curve::measured(course.name, Style::Marks, points);
+            curves.push(marks.coloured(place));
+            let last = course.cost(course.squares.len() - 1, timed);
+            let law = course.law(last);
+            let ends = [course.cost(0, timed), 4.0 * last].map(|x| (x, law.at(x)));
+            curves.push(Curve::new("", Style::Dashed, ends).coloured(place));
+        }
         let chart = CurveChart {
-            title: format!("Error against {x_label}: {scene}"),
+            title: what.to_owned(),
             x_label: x_label.to_owned(),
             y_label: "relative error".to_owned(),
             x_axis: Axis::Log,
             y_axis: Axis::Log,
-            curves: curves.collect(),
+            curves,
         };
-        let caption = "Independent samples fall with slope -1/2. Photons begin lower where light is focused, and fall with -1/3.";
-        desk.figure(&file, caption, chart.to_svg()?)?;
+        let caption = format!(
+            "{what}: relative error against {x_label}. Dashed: the laws through the last points, with slope -1/2 for walks from \
+             the eye and from the light, and -1/3 for photons. Where two of them cross, the unbiased method gets ahead. \
+             Bars: one standard error."
+        );
+        desk.figure(&file, &caption, chart.to_svg_at(HALF)?)?;
     }
     Ok(())
 }
 
 /// The caustic by all three, in the same time.
 fn strip(desk: &mut Desk, scene: &Scene) -> Result<(), DeskError> {
-    let scene = scene.clone().sized(desk.choose([200; 2], [40; 2]));
-    let seconds = desk.choose(1.0, 0.2);
-    let mut films = Vec::new();
-    for name in METHODS {
+    let scene = scene.clone().sized(desk.choose([120; 2], [40; 2]));
+    let seconds = desk.choose(2.0, 0.2);
+    for (name, look) in METHODS.into_iter().zip([
+        "Look at the single bright specks: each is a walk that found the lamp through the glass by chance.",
+        "Fine grain, and a sharp rim.",
+        "Look at the grain: it is as coarse as a disc, for each photon counts for all pixels near it. That is the blur.",
+    ]) {
         let by = made(name, &scene)?;
         let options = Options {
             seed: desk.options.seed,
@@ -214,10 +260,9 @@ fn strip(desk: &mut Desk, scene: &Scene) -> Result<(), DeskError> {
             &says,
             f64::from(session.spp()),
         );
-        films.push(session.film());
+        let caption = format!("{name}, {seconds} s. {look}");
+        let file = format!("time_{}.png", name.replace('-', "_"));
+        desk.picture(&file, &caption, &session.film(), &scene)?;
     }
-    let strip: Vec<&Film> = films.iter().collect();
-    let caption =
-        format!("The caustic after {seconds} s each: path tracing, light tracing, photons.");
-    desk.picture("time_strip.png", &caption, &Film::beside(&strip), &scene)
+    Ok(())
 }

@@ -45,6 +45,7 @@ fn window(desk: &mut Desk) -> Result<(), DeskError> {
     let world = flat_world("lamp.toml", LAMP)?;
     let mut drawing = flat::world(&world);
     drawing.title = "Photons on a line".to_owned();
+    drawing.bare = true;
     let (at, radius) = (0.35, 0.25);
     let photons = first_photons(&world, 120, desk.options.seed, 0);
     let shown = |photon: &&Photon<Flat>| photon.p.x.abs() < 1.6;
@@ -77,8 +78,8 @@ fn window(desk: &mut Desk) -> Result<(), DeskError> {
         f64::from(counted),
     );
     let caption = format!(
-        "120 photons of a lamp over a floor. {counted} of them land in the window around P, which is {} wide: so P gets about \
-         {counted}/120 of the lamp's power, over {}.",
+        "120 walks from a lamp over a floor, and a dot for each photon. Count those in the window around P, which is {} m \
+         wide: {counted}. So about {counted}/120 of the lamp's power falls on {} m of floor around P.",
         2.0 * radius,
         2.0 * radius
     );
@@ -99,14 +100,14 @@ fn ball(desk: &mut Desk) -> Result<(), DeskError> {
         (
             "landed_direct.svg",
             false,
-            "Photons that come straight from the lamp, on the floor under a ball of glass, seen from above. The circle is \
-             the ball. Its shadow is empty.",
+            "Photons straight from the lamp, on the floor under a ball of glass, seen from above. The circle is the ball. \
+             Look for its shadow: it is empty.",
         ),
         (
             "landed_caustic.svg",
             true,
-            "Photons of as many walks that have been through the glass. They fill a spot in the shadow, and lie so dense there \
-             that a few are enough.",
+            "Photons of as many walks that came through the glass. Nearly all of them lie in one spot inside the shadow: there \
+             the light is dense, so the photons are, too.",
         ),
     ] {
         let mut drawing = RayDrawing {

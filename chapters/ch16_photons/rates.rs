@@ -6,7 +6,7 @@ use glam::{Vec2, Vec3};
 use halfdisk::integrators::Photons;
 use halfdisk::integrators::world::{FlatTracer, PhotonWorld};
 use halfdisk::lab::chapter::{Desk, DeskError, Number};
-use halfdisk::lab::drawing::{Axis, Curve, CurveChart, Style};
+use halfdisk::lab::drawing::{Axis, Curve, CurveChart, HALF, Style};
 use halfdisk::photons::{Kernel, PhotonMap, radius};
 use halfdisk::sampling::stream::Stream;
 use halfdisk::scene::Tracer;
@@ -87,6 +87,7 @@ fn world(desk: &mut Desk, name: &str, fastest: f64, slope: f64, run: Run) -> Res
     let replicates = desk.choose(120, 80_u64);
     let sizes: Vec<u32> = (3..=last).map(|k| 1 << k).collect();
     let mut curves = Vec::new();
+    let around = if name == "flat" { "windows" } else { "discs" };
     for (kind, says, alpha) in [
         ("fastest", "shrinking", fastest),
         ("fixed", "of one size", 1.0),
@@ -110,11 +111,16 @@ fn world(desk: &mut Desk, name: &str, fastest: f64, slope: f64, run: Run) -> Res
             let root = all.root();
             (f64::from(sizes[k]), root.value, root.error)
         });
-        curves.push(Curve::measured(
-            format!("discs {says}"),
-            Style::MarksAndLine,
-            points,
-        ));
+        let points: Vec<(f64, f64, f64)> = points.collect();
+        if let ("fastest", Some(&(n, error, _))) = (kind, points.last()) {
+            // The law, through the last point.
+            let law = [f64::from(sizes[0]), n].map(|x| (x, error * libm::pow(x / n, slope)));
+            let name = format!("slope {slope:.3}");
+            curves.push(Curve::new(name, Style::Dashed, law).coloured(2));
+        }
+        let place = usize::from(kind == "fixed");
+        let label = format!("{around} {says}");
+        curves.push(Curve::measured(label, Style::MarksAndLine, points).coloured(place));
         // Early passes are not yet what the law is of.
         let late = 2;
         let costs = vec![sizes[late..].iter().map(|&n| f64::from(n)).collect(); squares.len()];
@@ -133,7 +139,7 @@ fn world(desk: &mut Desk, name: &str, fastest: f64, slope: f64, run: Run) -> Res
         desk.number(&format!("slope_{kind}_{name}"), number);
     }
     let chart = CurveChart {
-        title: format!("Passes of photons, {name} world"),
+        title: format!("Passes of photons on {around}"),
         x_label: "passes".to_owned(),
         y_label: "relative error".to_owned(),
         x_axis: Axis::Log,
@@ -141,8 +147,12 @@ fn world(desk: &mut Desk, name: &str, fastest: f64, slope: f64, run: Run) -> Res
         curves,
     };
     let caption = format!(
-        "Error below a lamp against the number of passes. Discs of one size level out at their blur; discs that shrink \
-         by alpha = {fastest:.3} go on falling, with slope {slope:.3}."
+        "Error below a lamp against the number of passes. With {around} of one size it levels out at their blur. With \
+         {around} that shrink (α = {fastest:.3}) it goes on falling along its law. Bars: one standard error."
     );
-    desk.figure(&format!("rates_{name}.svg"), &caption, chart.to_svg()?)
+    desk.figure(
+        &format!("rates_{name}.svg"),
+        &caption,
+        chart.to_svg_at(HALF)?,
+    )
 }

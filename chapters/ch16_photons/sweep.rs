@@ -3,18 +3,33 @@
 use super::scene;
 use halfdisk::integrators::Photons;
 use halfdisk::lab::chapter::{Desk, DeskError};
-use halfdisk::render::{Film, Options, render};
+use halfdisk::render::{Options, render};
 
-/// First and only radii, in scene units; the caustic is about 0.3 wide.
-const RADII: [f32; 3] = [0.004, 0.02, 0.1];
+/// First and only radii, in scene units, and what to look at; the caustic is about 0.3 wide.
+const RADII: [(f32, &str, &str); 3] = [
+    (
+        0.004,
+        "small",
+        "few photons on each. Look at the specks in the spot: they are noise.",
+    ),
+    (
+        0.02,
+        "middle",
+        "the grain is coarser and fainter, and the rim a little soft.",
+    ),
+    (
+        0.1,
+        "large",
+        "no specks, but the rim of the spot is as wide as a disc. More photons would not sharpen it.",
+    ),
+];
 
 pub fn work(desk: &mut Desk) -> Result<u64, DeskError> {
     desk.say("\nthe radius in pictures");
     let scene = scene("ball.toml", include_str!("ball.toml"))?;
-    let scene = scene.sized(desk.choose([160; 2], [48; 2]));
-    let mut films = Vec::new();
+    let scene = scene.sized(desk.choose([200; 2], [48; 2]));
     let mut rays = 0;
-    for radius in RADII {
+    for (radius, name, look) in RADII {
         let photons = Photons {
             radius: Some(radius),
             alpha: 1.0,
@@ -31,14 +46,8 @@ pub fn work(desk: &mut Desk) -> Result<u64, DeskError> {
         if made.interrupted {
             return Err(DeskError::Interrupted);
         }
-        films.push(made.film);
+        let caption = format!("Discs of radius {radius}: {look}");
+        desk.picture(&format!("sweep_{name}.png"), &caption, &made.film, &scene)?;
     }
-    let strip: Vec<&Film> = films.iter().collect();
-    let [a, b, c] = RADII;
-    let caption = format!(
-        "A caustic by the same number of photons, on discs of radius {a}, {b} and {c}: noise, both, blur. Only the caustic \
-         is blurred; the light around it comes straight from the lamp, and is found by shadow rays."
-    );
-    desk.picture("sweep.png", &caption, &Film::beside(&strip), &scene)?;
     Ok(rays)
 }

@@ -3,7 +3,7 @@
 use super::scene;
 use halfdisk::integrators::{Integrator, LightTracer, Path, Photons};
 use halfdisk::lab::chapter::{Desk, DeskError};
-use halfdisk::render::{Film, Options, render};
+use halfdisk::render::{Options, render};
 
 pub fn work(desk: &mut Desk) -> Result<u64, DeskError> {
     desk.say("\nlight that nobody else sees");
@@ -15,14 +15,26 @@ pub fn work(desk: &mut Desk) -> Result<u64, DeskError> {
         walks: Some(desk.choose(1 << 17, 1 << 14)),
         ..Photons::new(depth)
     };
-    let methods: [(&str, &dyn Integrator); 3] = [
-        ("path", &Path::from_eye(depth)),
-        ("light_tracer", &LightTracer { max_depth: depth }),
-        ("photons", &photons),
+    let methods: [(&str, &dyn Integrator, &str); 3] = [
+        (
+            "path",
+            &Path::from_eye(depth),
+            "Path tracing from the eye alone: black. No walk from the eye meets a point, and no shadow ray goes through \
+             the glass of the bulb.",
+        ),
+        (
+            "light_tracer",
+            &LightTracer { max_depth: depth },
+            "Light tracing: look at the floor, which is lit, and at the mirror and the ball on it, which are black.",
+        ),
+        (
+            "photons",
+            &photons,
+            "Photons: all of it. The mirror shows the lit floor, and the ball shows it upside down.",
+        ),
     ];
     let mut rays = 0;
-    let mut films = Vec::new();
-    for (name, method) in methods {
+    for (name, method, caption) in methods {
         let options = Options {
             spp: desk.spp(32, 16),
             seed: desk.options.seed,
@@ -46,12 +58,7 @@ pub fn work(desk: &mut Desk) -> Result<u64, DeskError> {
             name.replace('_', "-")
         );
         desk.value(&format!("unseen_mirror_{name}"), &says, rows);
-        films.push(made.film);
+        desk.picture(&format!("unseen_{name}.png"), caption, &made.film, &scene)?;
     }
-    let strip: Vec<&Film> = films.iter().collect();
-    let caption = "A point that shines in a bulb of glass. Left, path tracing from the eye alone: black, for no walk from the eye meets a point, and \
-                   no shadow ray goes through glass. Middle, light tracing: the floor, but not the mirror and the ball. Right, \
-                   photons: all of it.";
-    desk.picture("unseen.png", caption, &Film::beside(&strip), &scene)?;
     Ok(rays)
 }

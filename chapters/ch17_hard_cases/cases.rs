@@ -231,8 +231,7 @@ fn weights(f: f32, g: f32) -> [f64; 2] {
     let plain = naive::power_weight(f, g) + naive::power_weight(g, f);
     let power = Heuristic::Power;
     let ours = power.weight(f, g) + power.weight(g, f);
-    // JSON has no word for what is no number.
-    [plain, ours].map(|sum| if sum.is_nan() { 0.0 } else { f64::from(sum) })
+    [plain, ours].map(f64::from)
 }
 
 /// The share of cosines inside glass for which the interface reflects NaN.

@@ -5,6 +5,7 @@
 //! what each integrator before it does. Builds on: chapters 3 (the error bar and its rate) and 7 to 11
 //! (the integrators).
 
+mod law;
 mod maps;
 mod needs;
 mod noise;
@@ -26,6 +27,8 @@ fn main() -> ExitCode {
 }
 
 fn work(desk: &mut Desk) -> Result<Ledger, DeskError> {
+    law::drawing(desk)?;
+
     // What a thousand samples more are worth, early and late.
     steps::falls(desk)?;
     let mut rays = steps::forty(desk)?;

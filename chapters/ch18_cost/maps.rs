@@ -44,16 +44,16 @@ pub fn box_of_noise(desk: &mut Desk) -> Result<u64, DeskError> {
         axis: Axis::Log,
     };
     let variance = map("The variance of one path", "variance", accuracy.variances());
-    let caption = "How much one path of each pixel scatters: by far the most at the edge of the lamp, \
-                   then on the walls around it, which it lights from near.";
+    let caption = "The variance of one path in each pixel, in squared radiance, on a logarithmic scale. Look for the \
+                   brightest line: it is the edge of the lamp.";
     desk.figure("variance.svg", caption, variance.to_svg_at(HALF)?)?;
     let required = map(
         "Paths for an error of 2 %",
         "paths",
         accuracy.required(TARGET),
     );
-    let caption = "The paths that each pixel needs for an error of 2 %: its variance over the square \
-                   of what is wanted.";
+    let caption = "The paths that each pixel needs for an error of 2 %: its variance over the squared error that is \
+                   wanted. The map is the left one, relative to the brightness around each pixel.";
     desk.figure("required.svg", caption, required.to_svg_at(HALF)?)?;
     Ok(found.rays.total())
 }
@@ -83,7 +83,7 @@ pub fn four_scenes(desk: &mut Desk) -> Result<u64, DeskError> {
             let says = format!("{name}: pixels that need {words} paths, %");
             desk.value(&format!("{key}_{name}"), &says, digits(share));
         }
-        let says = format!("{name}: paths that serve half of the pixels");
+        let says = format!("{name}: paths that half of the pixels need at most");
         let median = digits(quantile(required.clone(), 0.5));
         desk.value(&format!("median_{name}"), &says, median);
         needs.push((name, required));
@@ -106,8 +106,9 @@ pub fn four_scenes(desk: &mut Desk) -> Result<u64, DeskError> {
             .curves
             .push(Curve::new(name, Style::Dashed, [(n, 0.0), (n, top)]).coloured(6));
     }
-    let caption = "How many paths the pixels of four scenes need for an error of 2 %, without those \
-                   that a single path serves, and the range that the slides give.";
+    let caption = "How many paths the pixels of four scenes need for an error of 2 %: the share of the pixels in bins of \
+                   half a doubling, without those that need a single path. Look how much of each scene lies between the \
+                   dashed lines, the range that the slides give, and how far its tail reaches to the right.";
     desk.figure("histogram.svg", caption, chart.to_svg()?)?;
     Ok(rays)
 }

@@ -30,10 +30,10 @@ pub fn held_out(desk: &mut Desk, prices: &Prices) -> Result<u64, DeskError> {
         // The variance of a sample over the squared error that is wanted, mean over all pixels.
         let pixels: Estimate = truth.required(&pilot.film, ERROR).into_iter().collect();
         required.add(pixels.mean());
-        // ANCHOR_END: needed
         rays += pilot.rays.total();
         interrupted |= pilot.interrupted;
     }
+    // ANCHOR_END: needed
     let needed = required.mean().ceil() as u32;
     let mut squares = Estimate::new();
     for number in 0..desk.choose(8, 6) {

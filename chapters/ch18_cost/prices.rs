@@ -1,4 +1,4 @@
-//! The price list: every integrator so far, even points, and a mistake.
+//! The price list: every integrator so far, Sobol' points, and a mistake.
 
 use halfdisk::lab::chapter::{Desk, DeskError, Number};
 use halfdisk::lab::experiment::cost::strip::{affordable, show};
@@ -6,7 +6,7 @@ use halfdisk::lab::experiment::cost::{
     ALL, BASE, Budget, Design, FROM_THE_EYE, Measured, Nothing, PriceList, Priced, Reach, TARGETS,
     Verdict, measure,
 };
-use halfdisk::lab::figures::{Against, cost_chart};
+use halfdisk::lab::figures::{Against, cost_chart, price_chart};
 use halfdisk::render::{Film, Pixel};
 use halfdisk::scene::{Scene, gallery};
 use halfdisk::stats::slope::{Fit, Insufficient};
@@ -60,14 +60,25 @@ pub fn work(desk: &mut Desk) -> Result<Prices, DeskError> {
             biases.add(bias.mean / bias.mean_error);
         }
     }
-    let caption =
-        "Error against rays, for every integrator so far: dots are measured, lines fitted.";
+    let few = of_few(&list);
     let title = "What accuracy costs in the Cornell box";
-    let chart = cost_chart(title, &list, Against::Rays);
+    let caption = "Relative error against rays: dots are measured, dashed lines fitted, and their slopes stand in the \
+                   legend. Look how far the lines of independent samples lie apart, and that they are parallel. Of nine \
+                   methods five are shown; the chart below has all. Bars: one standard error.";
+    let chart = cost_chart(title, &few, Against::Rays);
     desk.figure("rays.svg", caption, chart.to_svg()?)?;
-    let caption = "The same against seconds, on the machine that ran this.";
-    let chart = cost_chart(title, &list, Against::Seconds);
-    desk.figure("time_seconds.svg", caption, chart.to_svg()?)?;
+    let caption = "Squared error times rays, relative to path: how many times the rays of path a method needs for the same \
+                   error. A level line is the law. The line that falls is that of Sobol' points, the two that rise are \
+                   biased. Bars: one standard error.";
+    let chart = price_chart("The price of the same error", &list);
+    desk.figure("price.svg", caption, chart.to_svg()?)?;
+    let caption = format!(
+        "The same five against the seconds of a picture of {side} x {side} pixels, on the machine that ran this. Bars: one \
+         standard error."
+    );
+    let chart = cost_chart(title, &few, Against::Seconds);
+    desk.figure("time_seconds.svg", &caption, chart.to_svg()?)?;
+    desk.value("side", "side of the box's pictures, pixels", side.into());
     equal_time(desk, &scene, &measured, &list)?;
     let runs = measured
         .methods
@@ -88,6 +99,14 @@ pub fn work(desk: &mut Desk) -> Result<Prices, DeskError> {
         rays_per_sample,
         biases,
     })
+}
+
+/// The methods whose lines lie apart; the others lie on that of `path` or of `kajiya`.
+fn of_few(list: &PriceList) -> PriceList {
+    let mut few = list.clone();
+    let apart = ["whitted", "kajiya", BASE, "path-sobol", "clamped"];
+    few.methods.retain(|method| apart.contains(&method.name));
+    few
 }
 
 /// What the list says of a method.
@@ -183,11 +202,13 @@ fn equal_time(
         let shown = show(scene, measured, &runs.method, spp, seed, &desk.bar("strip"));
         let shown = shown.ok_or(DeskError::Interrupted)?;
         pictures.extend([shown.film, shown.off]);
-        errors.push(format!("{} {:.0} %", shown.name, 100.0 * shown.error));
+        errors.push(format!("{} {:.0}\u{a0}%", shown.name, 100.0 * shown.error));
     }
     let errors = errors.join(", ");
     let caption = format!(
-        "Equal time, and below each picture its signed error (red is too bright): {errors}."
+        "Equal time, {seconds} s for each column, and below each picture its signed error (red is too bright, blue too \
+         dark). From left to right: {errors}. Look for the noise of kajiya and roulette, which find the lamp by chance, \
+         and for even patches of one colour: those are bias."
     );
     let strip = side_by_side(&pictures);
     desk.picture("time_strip.png", &caption, &strip, scene)

@@ -8,6 +8,7 @@ mod pictures;
 mod race;
 mod report;
 mod savings;
+mod unseen;
 
 use halfdisk::lab::chapter::{Chapter, Desk, DeskError};
 use halfdisk::lab::ledger::Ledger;
@@ -30,7 +31,7 @@ fn main() -> ExitCode {
 fn work(desk: &mut Desk) -> Result<Ledger, DeskError> {
     // What the scene calls for, by reading it.
     report::of_final(desk)?;
-    let asked = report::point_through_glass(desk)?;
+    let asked = report::point_through_glass(desk)? + unseen::pictures(desk)?;
 
     // The picture, and what each class of paths has of it.
     let drawn = pictures::work(desk)?;

@@ -30,17 +30,33 @@ fn short(class: Class) -> &'static str {
     }
 }
 
+/// What to look at in the picture of a class.
+fn look_at(class: Class) -> &'static str {
+    match class {
+        Class::Seen => "The lamp, and nothing else.",
+        Class::SeenSpecular => "The lamp in the ball and in the block, where they show it.",
+        Class::Direct => "Shadows are black: no light comes from the walls.",
+        Class::DirectSpecular => "The lit room in the mirror, and upside down in the glass.",
+        Class::Bleeding => {
+            "The ceiling, which the lamp itself does not reach, and the tint of the walls."
+        }
+        Class::Caustic => "The spot under the ball, and its glow on the walls around.",
+    }
+}
+
 /// Paints them.
 pub fn work(desk: &mut Desk) -> Result<Drawn, DeskError> {
-    let scene = load(FINAL, desk.choose([160; 2], [48; 2]))?;
+    let scene = load(FINAL, desk.choose([480; 2], [48; 2]))?;
     let path = Path::new(scene.suggested.max_depth);
     let whole = paint(desk, &scene, desk.spp(128, 8), &path)?;
-    let caption =
-        "The final room: a mirror, glass, colours that bleed, and light that glass gathers.";
+    let caption = "The final room. Look for the bright spot that the glass ball gathers on the floor, for the second one \
+                   high on the green wall, which the mirror throws there, and for the tint that the walls lend to the \
+                   ceiling. The specks on the block and in the ball are caustics seen in a mirror or through glass: the \
+                   one kind of light here that is still found by chance.";
     desk.picture("image.png", caption, &whole.film, &scene)?;
 
-    let scene = load(FINAL, desk.choose([96; 2], [32; 2]))?;
-    let spp = desk.spp(64, 8);
+    let scene = load(FINAL, desk.choose([144; 2], [32; 2]))?;
+    let spp = desk.spp(96, 8);
     let all = paint(desk, &scene, spp, &path)?;
     let total = all.film.mean().0;
     let mut rays = whole.rays.total() + all.rays.total();
@@ -52,7 +68,7 @@ pub fn work(desk: &mut Desk) -> Result<Drawn, DeskError> {
         let expression = class.expression();
         let paths = expression.eye_first();
         let part = paint(desk, &scene, spp, &FilteredPath { path, paths })?;
-        let caption = format!("{}: {}.", class.text(), class.name());
+        let caption = format!("{}: {}. {}", class.text(), class.name(), look_at(class));
         let name = short(class);
         desk.picture(&format!("{name}.png"), &caption, &part.film, &scene)?;
         let (mean, error) = part.film.mean();

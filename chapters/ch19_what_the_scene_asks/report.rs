@@ -1,11 +1,14 @@
 //! What a scene calls for, by reading it.
 
 use crate::FINAL;
+use glam::DVec2;
 use halfdisk::integrators::{FilteredPath, Kajiya, Path};
 use halfdisk::lab::chapter::{Desk, DeskError, Number};
+use halfdisk::lab::drawing::{ChartError, StrokeKind};
 use halfdisk::lab::effects::language::{Class, of_scene, out_of_reach};
 use halfdisk::lab::effects::plan;
 use halfdisk::lab::effects::words::words;
+use halfdisk::lab::figures::sketch::Sketch;
 use halfdisk::notation::Expression;
 use halfdisk::render::{Options, render};
 use halfdisk::scene::description::{Description, Light, Object, Shape};
@@ -18,7 +21,6 @@ use std::f64::consts::PI;
 /// One line for each effect.
 pub fn of_final(desk: &mut Desk) -> Result<(), DeskError> {
     let scene = gallery::load(FINAL)?;
-    // ANCHOR: plan
     let plan = plan::plan(&scene);
     for line in &plan.lines {
         let name = line.effect.name();
@@ -30,12 +32,42 @@ pub fn of_final(desk: &mut Desk) -> Result<(), DeskError> {
             simulated,
         );
     }
-    // ANCHOR_END: plan
     let simulated = plan.lines.iter().filter(|line| line.simulated).count();
     desk.value("asks", "effects that are simulated", simulated as f64);
     desk.value("effects", "effects there are", plan.lines.len() as f64);
-    desk.say(&format!("light paths: {}", plan.paths.unwrap_or_default()));
-    Ok(())
+    let paths = plan.paths.unwrap_or_default();
+    desk.say(&format!("light paths: {paths}"));
+    let effects = format!("{simulated} of {} effects,", plan.lines.len());
+    let caption = "From the scene file to the first ray. The file is counted once, ten questions are answered from the counts, \
+                   and the walk is chosen that was compiled for the letters that are left.";
+    desk.figure("plan.svg", caption, drawing([&effects, &paths])?)
+}
+
+/// From the scene file to the walk, in four boxes.
+fn drawing([effects, paths]: [&str; 2]) -> Result<String, ChartError> {
+    let mut sketch = Sketch::new("A plan", [-6.0, -0.9], [6.0, 0.9]);
+    let boxes = [
+        ["scene file", "objects, materials,", "lights, camera"],
+        ["inventory", "counts what is used", "and does something"],
+        ["plan", effects, paths],
+        ["walk", "compiled for these", "letters alone"],
+    ];
+    let half = DVec2::new(1.25, 0.75);
+    for (place, words) in boxes.into_iter().enumerate() {
+        let middle = DVec2::new(3.1 * place as f64 - 4.65, 0.0);
+        let corner = |x: f64, y: f64| middle + half * DVec2::new(x, y);
+        let corners = [[-1., -1.], [1., -1.], [1., 1.], [-1., 1.], [-1., -1.]];
+        let corners = corners.map(|[x, y]| corner(x, y));
+        sketch.curve(StrokeKind::Outline, corners);
+        for (line, word) in words.into_iter().enumerate() {
+            sketch.word(middle + DVec2::new(0.0, 0.42 - 0.42 * line as f64), word);
+        }
+        if place + 1 < boxes.len() {
+            let gap = DVec2::new(0.55, 0.0);
+            sketch.arrow(StrokeKind::Camera, corner(1.0, 0.0), corner(1.0, 0.0) + gap);
+        }
+    }
+    sketch.to_svg()
 }
 
 /// A point shines through glass: a caustic that `path` traces from the light, and its image in the glass, which it reads
@@ -108,7 +140,8 @@ pub fn point_through_glass(desk: &mut Desk) -> Result<u64, DeskError> {
     Ok(rays)
 }
 
-fn load(change: impl FnOnce(&mut Description)) -> Result<Scene, SceneError> {
+/// The point over the ball, with something changed.
+pub fn load(change: impl FnOnce(&mut Description)) -> Result<Scene, SceneError> {
     let source = Source {
         file: "point.toml",
         text: include_str!("point.toml"),

@@ -8,6 +8,7 @@ use halfdisk::lab::effects::measure::{Difference, Setup, Times, difference};
 use halfdisk::lab::effects::without::Without;
 use halfdisk::render::{Options, Rendered, render};
 use halfdisk::scene::Scene;
+use halfdisk::stats::slope::student_95;
 
 /// Scenes that lack something.
 const SCENES: [&str; 6] = ["cornell", FINAL, "caustic", "gloss", "veach", "mesh"];
@@ -70,12 +71,14 @@ pub fn absent(desk: &mut Desk) -> Result<u64, DeskError> {
         time(desk, &format!("all_{name}"), &found);
         rays += found.traced + traced;
         let Times { value, low, high } = found.time;
+        // The interval is by Student's law on the logarithm of the ratio; charts show one standard error.
+        let error = 0.5 * libm::log(high / low) / student_95(rounds as usize - 1);
         groups.push(BarGroup {
             name: name.to_owned(),
             bars: vec![Bar {
                 label: String::new(),
                 value: 100.0 * (value - 1.0),
-                error: Some(50.0 * (high - low)),
+                error: Some(100.0 * value * error),
             }],
         });
     }
@@ -86,8 +89,8 @@ pub fn absent(desk: &mut Desk) -> Result<u64, DeskError> {
         groups,
         ..BarChart::default()
     };
-    let caption = "The same picture, with every effect at work and with those that the scene calls \
-                   for: how much longer it takes, with the half of the 95 % interval.";
+    let caption = "How much longer the same picture takes when every effect is at work, at no strength, than by the \
+                   plan of its scene. Bars: one standard error.";
     desk.figure("seconds_absent.svg", caption, chart.to_svg()?)?;
     Ok(rays)
 }
@@ -126,6 +129,6 @@ fn time(desk: &mut Desk, name: &str, found: &Difference) {
 }
 
 /// To two digits after the point.
-pub fn two_digits(x: f64) -> f64 {
+fn two_digits(x: f64) -> f64 {
     (100.0 * x).round() / 100.0
 }

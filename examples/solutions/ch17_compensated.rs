@@ -1,4 +1,4 @@
-//! Chapter 17, exercise 1: a sum in `f32` that remembers what each addition lost.
+//! Chapter 17, exercise 3: a sum in `f32` that remembers what each addition lost.
 //!
 //! The sum of ten million tenths stops growing properly long before its end: each addition rounds to
 //! the spacing of the sum. What was rounded away can be found exactly, as a difference that does not

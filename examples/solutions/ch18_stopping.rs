@@ -1,4 +1,4 @@
-//! Chapter 18, exercise 1: a rule that stops when the error looks small is biased.
+//! Chapter 18, exercise 2: a rule that stops when the error looks small is biased.
 //!
 //! Each pixel adds samples until its own estimated error is small enough. Where light comes in rare
 //! bright samples, a pixel that has not met one yet looks dark and sure of it, and stops.

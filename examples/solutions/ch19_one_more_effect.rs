@@ -1,4 +1,4 @@
-//! Chapter 19, exercise 1: add one effect to the final scene, and predict the new report.
+//! Chapter 19, exercise 2: add one effect to the final scene, and predict the new report.
 //!
 //! Each change is one line of the scene file. The prediction names the effects whose line in the
 //! report moves from "not simulated" to "simulated", and the light paths that follow.

@@ -29,6 +29,7 @@ impl Sphere {
         }
     }
 
+    // ANCHOR: intersect
     /// The first crossing with `0 < t <= t_max`.
     ///
     /// Numbers go in and out as `f32`, the quadratic runs in `f64`: ten thousand radii away the
@@ -50,6 +51,7 @@ impl Sphere {
         let t = roots.ahead() as f32;
         (t > 0.0 && t <= t_max).then_some(Intersection::new(t, 0.0, 0.0))
     }
+    // ANCHOR_END: intersect
 
     /// How far a point is from the sphere, positive on its front.
     pub(super) fn height(&self, p: glam::DVec3) -> f64 {

@@ -123,6 +123,7 @@ impl Sheared {
     }
 }
 
+// ANCHOR: edge
 /// The edge function of two corners: on which side of the edge between them the ray passes.
 ///
 /// Two triangles that share an edge compute the same for it, bit for bit but for the sign, and its
@@ -133,7 +134,9 @@ impl Sheared {
 fn edge(p: Sheared, q: Sheared) -> f64 {
     q.x * p.y - q.y * p.x
 }
+// ANCHOR_END: edge
 
+// ANCHOR: weights
 /// The weights of the second and third corner from the edge functions opposite to each; `None`
 /// where the ray passes outside.
 #[inline]
@@ -145,6 +148,7 @@ pub(super) fn weights([u, v, w]: [f64; 3]) -> Option<[f32; 2]> {
     let back = (u <= 0.0) & (v <= 0.0) & (w <= 0.0) & (determinant < 0.0);
     (front | back).then(|| [(v / determinant) as f32, (w / determinant) as f32])
 }
+// ANCHOR_END: weights
 
 /// The plane of a flat shape.
 pub(super) struct Plane {

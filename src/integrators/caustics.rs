@@ -47,8 +47,8 @@ impl Caustics {
     }
 
     // ANCHOR: caustics
-    /// Traces one path, and calls `splat` with each place of the film that it brings light to, and with its letters
-    /// so far.
+    /// Traces one path, and calls `splat` with each place of the film that it brings light to, and
+    /// with its letters so far.
     pub fn trace(
         &self,
         tracer: &mut Tracer,

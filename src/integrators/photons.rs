@@ -114,8 +114,8 @@ impl Photons {
     }
 
     // ANCHOR: leave
-    /// Traces one path from a light at the moment `time`, in `[0, 1]`, and calls `leave` with its photons: one at each
-    /// surface that is not perfectly specular.
+    /// Traces one path from a light at the moment `time`, in `[0, 1]`, and calls `leave` with its
+    /// photons: one at each surface that is not perfectly specular.
     pub fn trace<S: Space, W: PhotonWorld<S>>(
         &self,
         world: &mut W,
@@ -196,8 +196,8 @@ impl Photons {
     // ANCHOR_END: radiance
 
     // ANCHOR: look
-    /// One estimate of the radiance along a ray from the eye; `photons` says what those of a pass bring to a
-    /// point by paths of at most so many segments.
+    /// One estimate of the radiance along a ray from the eye; `photons` says what those of a pass bring
+    /// to a point by paths of at most so many segments.
     pub(super) fn walk<S: Space, W: PhotonWorld<S>>(
         &self,
         world: &mut W,

@@ -37,6 +37,7 @@ pub fn atan2(y: f32, x: f32) -> f32 {
     libm::atan2f(y, x)
 }
 
+// ANCHOR: one_minus_cos
 /// `1 - cos θ` from `sin² θ`, for θ in `[0, π/2]`.
 ///
 /// The plain form `1 - sqrt(1 - sin²)` cancels: it is 7 % off at `sin = 1e-3` and exactly zero
@@ -44,6 +45,7 @@ pub fn atan2(y: f32, x: f32) -> f32 {
 pub fn one_minus_cos(sin2: f32) -> f32 {
     sin2 / (1.0 + (1.0 - sin2).max(0.0).sqrt())
 }
+// ANCHOR_END: one_minus_cos
 
 /// A number with so many decimals, and no minus before zeros.
 pub fn fixed(x: f64, decimals: usize) -> String {

@@ -17,6 +17,7 @@ impl Roots {
     }
 }
 
+// ANCHOR: quadratic
 /// Solves `a t² + 2 h t + c = 0` for real `t`; `None` where there is none or `a` is zero.
 ///
 /// * Arguments: `h` is *half* the linear coefficient, as it falls out of `|o + t d - c|² = r²`, and
@@ -40,6 +41,7 @@ pub fn quadratic(discriminant: f64, a: f64, h: f64, c: f64) -> Option<Roots> {
         Roots { near: t1, far: t0 }
     })
 }
+// ANCHOR_END: quadratic
 
 #[cfg(test)]
 mod tests {

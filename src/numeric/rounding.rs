@@ -5,6 +5,7 @@ use glam::Vec3;
 /// The unit round-off of `f32`: the largest relative error of one correctly rounded operation.
 pub const UNIT_ROUNDOFF: f32 = f32::EPSILON * 0.5;
 
+// ANCHOR: gamma
 /// Bound on the relative error after `n` rounded operations, `n u / (1 - n u)`.
 ///
 /// Source: Higham, Accuracy and Stability of Numerical Algorithms (2nd ed. 2002), lemma 3.1.
@@ -12,6 +13,7 @@ pub const fn gamma(n: u32) -> f32 {
     let nu = n as f32 * UNIT_ROUNDOFF;
     nu / (1.0 - nu)
 }
+// ANCHOR_END: gamma
 
 /// A vector as a power of two and a direction of which the largest component is at least 1 and
 /// less than 2; of denormal vectors it is less.
@@ -24,6 +26,7 @@ pub fn scale_and_direction(v: Vec3) -> (f32, Vec3) {
     (scale, v * (1.0 / scale))
 }
 
+// ANCHOR: offset
 /// Moves a hit point off its surface, to the side that `direction` leaves on.
 ///
 /// * `p` is the computed point; the true one lies within `error` of it, coordinate by coordinate.
@@ -55,6 +58,7 @@ pub fn offset_origin(p: Vec3, error: Vec3, n: Vec3, direction: Vec3) -> Vec3 {
         away(p.z, offset.z),
     )
 }
+// ANCHOR_END: offset
 
 #[cfg(test)]
 mod tests {

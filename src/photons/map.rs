@@ -153,12 +153,12 @@ impl<S: Space> PhotonMap<S> {
     }
 
     // ANCHOR: estimate
-    /// The density estimate at a point: the light of the photons on the disc around it, each weighted by its
-    /// kernel, over the measure of the disc and the number of walks.
+    /// The density estimate at a point: the light of the photons on the disc around it, each weighted
+    /// by its kernel, over the measure of the disc and the number of walks.
     ///
-    /// With `scatter` the BSDF times the power it is radiance in W/(m² sr) (flat: W/(m rad)), with the power alone
-    /// irradiance. Its expectation is that light blurred over the disc, and lacks what the disc has
-    /// beyond the edges of the surface.
+    /// With `scatter` the BSDF times the power it is radiance in W/(m² sr) (flat: W/(m rad)), with the
+    /// power alone irradiance. Its expectation is that light blurred over the disc, and lacks what the
+    /// disc has beyond the edges of the surface.
     ///
     /// * `p`, `n`: the point and its unit normal, on either side.
     /// * `radius`: of the disc in scene units, at most that of the map.

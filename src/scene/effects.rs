@@ -176,6 +176,7 @@ impl Inventory {
         self.specular > 0 && (by_lamps || by_points)
     }
 
+    // ANCHOR: effects
     /// What has to be simulated; nothing in the dark.
     pub fn effects(&self) -> Effects {
         if self.is_dark() {
@@ -195,6 +196,7 @@ impl Inventory {
         };
         Effect::ALL.into_iter().filter(|&e| needs(e)).collect()
     }
+    // ANCHOR_END: effects
 }
 
 impl Scene {

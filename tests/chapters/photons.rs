@@ -9,6 +9,14 @@ fn ch16_photons() {
     for name in ["plate_middle", "plate_edge", "plate_corner", "lens", "slab"] {
         near(&data, name);
     }
+    for window in ["wide", "middle", "narrow"] {
+        near(&data, &format!("window_mean_{window}"));
+        near(&data, &format!("window_variance_{window}"));
+    }
+    // Variances are those of their windows, and of no other.
+    let [wide, narrow] =
+        ["wide", "narrow"].map(|window| value(&format!("window_variance_{window}")));
+    assert!(narrow > 8.0 * wide, "{narrow} {wide}");
     for k in [5, 20, 50] {
         near(&data, &format!("nearest_{k}"));
         near(&data, &format!("nearest_all_{k}"));

@@ -1,6 +1,6 @@
 //! From what was measured and walked to figures: thin adapters between the laboratory and [`drawing`].
 //!
-//! [`convergence_chart`], [`variance_chart`], [`cost_chart`] and [`required_chart`] fill in curves. [`flat`] fills in a
+//! [`convergence_chart`], [`variance_chart`], [`cost_chart`], [`price_chart`] and [`required_chart`] fill in curves. [`flat`] fills in a
 //! drawing from a flat world and the half disk over one of its points; [`walk`] draws the rays of a walk;
 //! [`sketch`] draws an idea.
 //!
@@ -15,6 +15,6 @@ mod variance;
 pub mod walk;
 
 pub use convergence::convergence_chart;
-pub use cost::{Against, cost_chart};
+pub use cost::{Against, cost_chart, price_chart};
 pub use requirement::required_chart;
 pub use variance::variance_chart;

@@ -2,6 +2,7 @@
 
 use glam::{Mat3, Vec3};
 
+// ANCHOR: sphere
 /// Where the line `o + t d` meets a sphere: the school formula in `f32`, both roots in order.
 ///
 /// Fails far away: `b² - 4 a c` and `|o - c|² - r²` each are a small difference of large numbers.
@@ -16,6 +17,7 @@ pub fn sphere(o: Vec3, d: Vec3, center: Vec3, radius: f32) -> Option<[f32; 2]> {
         [(-b - root) / (2.0 * a), (-b + root) / (2.0 * a)]
     })
 }
+// ANCHOR_END: sphere
 
 /// The first root of [`sphere`] beyond `t_min`; with a `t_min` that is a length, a shape smaller
 /// than it is lost, and one far away still shadows itself.

@@ -229,7 +229,7 @@ impl Priced {
                 format!("biased: levels out {floor}; {why}")
             }
             (Verdict::Sufficient, Ok(fit)) => format!("{fit}, sufficient"),
-            (Verdict::Faster, Ok(fit)) => format!("{fit}, as even points do"),
+            (Verdict::Faster, Ok(fit)) => format!("{fit}, as Sobol' points do"),
             (_, Ok(fit)) if fit.agrees_with(-0.5) => {
                 let why = self.may_be_biased.unwrap_or("and no reason is known");
                 format!("insufficient: {fit}, but its bias may be hidden by noise: {why}")
