@@ -77,7 +77,7 @@ fn many() -> (String, f64) {
 }
 
 /// One estimate by the path tracer in a flat world.
-pub fn flat_path(
+fn flat_path(
     max_depth: u32,
     world: &mut impl World<Flat>,
     eye: &Ray<Flat>,

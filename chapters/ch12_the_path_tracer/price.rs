@@ -8,8 +8,10 @@ use halfdisk::render::{Options, render};
 use halfdisk::scene::description::{Object, Shape};
 use halfdisk::scene::value::{Emission, Triple};
 use halfdisk::scene::{Scene, SceneError, gallery};
+use halfdisk::stats::Estimate;
 use halfdisk::stats::price::{Paid, ratio};
 use halfdisk::stats::slope::student_95;
+use halfdisk::stats::z_test::{FOUR, z_test};
 
 /// All that can be left out, and its name among the numbers.
 const ALL: [(LeftOut, &str, &str); 5] = [
@@ -42,6 +44,12 @@ impl Renders {
         (sum(0) / n, sum(1).sqrt() / n)
     }
 
+    /// The differences of the means from those of `other`, render by render.
+    fn apart(&self, other: &Renders) -> Estimate {
+        let pairs = self.means.iter().zip(&other.means);
+        pairs.map(|(own, others)| own[0] - others[0]).collect()
+    }
+
     /// Variance and rays of a sample.
     pub fn of_one(&self) -> Paid {
         let n = self.paid.len() as f64;
@@ -69,9 +77,9 @@ pub fn renders(
     seed: u64,
 ) -> Result<Renders, DeskError> {
     let mut all = Renders::default();
-    for replicate in 0..desk.choose(16, 4) {
+    for replicate in 0..desk.choose(16, 8) {
         let options = Options {
-            spp: desk.choose(8, 4),
+            spp: 4,
             seed: desk.options.seed + 1000 * seed + replicate,
             ..Options::default()
         };
@@ -110,7 +118,7 @@ fn ceiling() -> Result<Scene, SceneError> {
 
 /// All rays, and the price without the ingredient that is missed most, in the scene that misses it least.
 pub fn work(desk: &mut Desk) -> Result<(u64, f64), DeskError> {
-    let side = desk.choose(48, 16);
+    let side = desk.choose(32, 16);
     let scenes = [
         ("box", gallery::load("cornell")?.sized([side; 2])),
         (
@@ -155,8 +163,9 @@ pub fn work(desk: &mut Desk) -> Result<(u64, f64), DeskError> {
                 desk.number(&format!("{name}_{key}_price"), Number { error, ..number });
                 worst = worst.max(price);
             }
-            let ((mean, a), (of_path, b)) = (found.mean(), path.mean());
-            let z = (mean - of_path) / a.hypot(b);
+            // The same random numbers found both, so only the scatter of their difference tells its error.
+            let apart = found.apart(&path);
+            let z = z_test(&apart, 0.0, FOUR).z;
             desk.value(
                 &format!("{name}_{key}_z"),
                 "  distance of its mean from that of path, standard errors",

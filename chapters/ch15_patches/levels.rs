@@ -5,7 +5,9 @@ use halfdisk::integrators::{Integrator, Path, Radiosity};
 use halfdisk::lab::chapter::{Desk, DeskError, Number};
 use halfdisk::lab::drawing::{Curve, Style};
 use halfdisk::lab::estimators::walks;
-use halfdisk::lab::experiment::convergence::{Convergence, Design, Estimator, Sizes, converge};
+use halfdisk::lab::experiment::convergence::{
+    Convergence, Design, Estimator, Size, Sizes, converge,
+};
 use halfdisk::lab::figures::variance_chart;
 use halfdisk::radiosity::PatchSize;
 use halfdisk::sampling::stream::Stream;
@@ -20,7 +22,7 @@ const PATCHES: usize = 60;
 fn many(
     scene: &Scene,
     ray: &Ray,
-    by: &impl Integrator,
+    by: &dyn Integrator,
     name: &'static str,
     truth: f64,
     design: &Design,
@@ -72,15 +74,15 @@ pub fn work(desk: &mut Desk) -> Result<u64, DeskError> {
         seed,
     };
     let runs = [
-        (&path as &(dyn Integrator + Sync), "path", &truth),
+        (&path as &dyn Integrator, "path", &truth),
         (&patches, "radiosity", &read),
     ];
     let runs = runs.map(|(by, name, known)| {
-        let run = many(&scene, &ray, &by, name, truth.mean(), &design);
+        let run = many(&scene, &ray, by, name, truth.mean(), &design);
         (run, Some(known.variance()))
     });
     let squares = |run: &Convergence| -> Vec<(f64, f64, f64)> {
-        let of = |s: &halfdisk::lab::experiment::convergence::Size| {
+        let of = |s: &Size| {
             let square = s.rmse * s.rmse;
             (f64::from(s.samples), square, 2.0 * s.rmse * s.rmse_error)
         };
