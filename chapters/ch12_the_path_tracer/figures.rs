@@ -52,7 +52,7 @@ pub fn idea(desk: &mut Desk) -> Result<(), DeskError> {
         (at(1.7, 2.6), "lamp"),
         (at(0.85, 1.3), "aimed"),
         (at(1.45, 1.15), "aimed"),
-        (at(2.32, 1.65), "met"),
+        (at(2.45, 1.75), "met by chance"),
         (at(3.4, 1.6), "in shadow"),
         (at(3.35, 0.22), "survived?"),
     ] {

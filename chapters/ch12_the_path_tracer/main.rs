@@ -39,15 +39,16 @@ fn work(desk: &mut Desk) -> Result<Ledger, DeskError> {
     let charted = rate::chart(desk)?;
     let pictures = figures::pictures(desk)?;
     let agreed = agree::work(desk)?;
-    let (left_out, worst) = price::work(desk)?;
+    let saved = price::work(desk)?;
     Ok(Ledger {
-        rays: checked + glowed + charted + pictures + agreed.rays + left_out,
+        rays: checked + glowed + charted + pictures + agreed.rays + saved.rays,
         variance: Some(agreed.variance),
         compared: Some(in_closed_form.with(in_furnace).into()),
         efficiency: Some(1.0 / (agreed.variance * agreed.per_sample)),
         ..Ledger::of(&format!(
-            "One walk for all scenes: without the worst of its ingredients to miss, three scenes cost \
-             {worst:.0} times the rays or more.",
+            "One walk for all scenes. For the same error, shadow rays save {:.0} times the rays in the box, weights {:.0} \
+             times among glossy plates, roulette {:.1} times, and the choice of one lamp of 64 saves {:.0} times.",
+            saved.aiming, saved.weights, saved.roulette, saved.choice
         ))
     })
 }

@@ -71,7 +71,7 @@ const STATE: f64 = 0.34;
 /// The states as circles, and an arrow for each letter.
 pub fn drawing(desk: &mut Desk) -> Result<(), DeskError> {
     compare(desk)?;
-    let mut sketch = Sketch::new("The automaton of LD?S*E", [-1.0, -2.35], [6.3, 1.65]);
+    let mut sketch = Sketch::new("The automaton of LD?S*E", [-1.0, -2.55], [6.3, 1.65]);
     let at = DVec2::new;
     let places = [
         at(0.0, 0.0),
@@ -113,9 +113,14 @@ pub fn drawing(desk: &mut Desk) -> Result<(), DeskError> {
         arrow(&mut sketch, StrokeKind::Lost, *place, places[4]);
     }
     for (place, word) in [
-        (places[0], "start"),
-        (places[FOUND], "found"),
-        (places[4], "lost"),
+        (places[0], "0"),
+        (places[1], "1"),
+        (places[2], "2"),
+        (places[FOUND], "3"),
+        (places[4], "4"),
+        (places[0] - at(0.25, 0.5), "start"),
+        (places[FOUND] + at(0.3, -0.5), "found"),
+        (places[4] - at(0.0, 0.5), "lost"),
         (at(0.75, -1.25), "any other letter"),
     ] {
         sketch.word(place, word);

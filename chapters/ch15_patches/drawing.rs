@@ -23,8 +23,9 @@ pub fn patches(desk: &mut Desk) -> Result<(), DeskError> {
         sketch.line(StrokeKind::Outline, at(3.93, y), at(4.07, y));
     }
     let (x, ends) = (at(1.2, 0.0), [at(4.0, 0.8), at(4.0, 1.6)]);
-    sketch.line(StrokeKind::Useful, at(0.8, 0.0), at(1.6, 0.0));
-    sketch.line(StrokeKind::Lamp, ends[0], ends[1]);
+    sketch.line(StrokeKind::Lamp, at(0.8, -0.04), at(1.6, -0.04));
+    let beside = at(0.04, 0.0);
+    sketch.line(StrokeKind::Lamp, ends[0] + beside, ends[1] + beside);
     ends.into_iter()
         .for_each(|end| sketch.line(StrokeKind::Axis, x, end));
     let middle = 0.5 * (ends[0] + ends[1]);

