@@ -28,11 +28,12 @@ fn mean(rho: f64) -> f64 {
 }
 
 // ANCHOR: variance
-/// Variance of a path that finds its light by chance there, and plays roulette after `bounces` surfaces.
+/// Variance of a path that finds its light by chance there, and plays roulette after so many
+/// surfaces.
 ///
-/// Up to there all paths are alike. Then a path carries `s = ρ^bounces`. It survives with that probability, and
-/// from then on carries 1 and survives each surface with the probability `ρ`. (`s` is at least 0.05, below
-/// which the path tracer would not let the probability fall.)
+/// Up to there all paths are alike. Then a path carries `s = ρ^bounces`, and survives with that
+/// probability. From then on it carries 1, and survives each surface with the probability `ρ`.
+/// (`s` is at least 0.05, the smallest probability that the path tracer allows.)
 fn variance(rho: f64, bounces: i32) -> f64 {
     let s = rho.powi(bounces);
     (s * (1.0 + rho) - s * s) / (1.0 - rho).powi(2)
@@ -47,7 +48,7 @@ fn segments(rho: f64, bounces: i32) -> f64 {
 /// The path tracer by chance, and as it is; how far means are from the truth, and the rays.
 pub fn work(desk: &mut Desk) -> Result<(Largest, u64), DeskError> {
     let (mut compared, mut rays) = (Largest::default(), 0);
-    let count = desk.choose(400_000, 40_000);
+    let count = desk.choose(200_000, 40_000);
     let bounces = Path::new(ENDLESS).roulette_from as i32;
     for percent in [60, 90] {
         let rho = f64::from(percent) / 100.0;

@@ -16,8 +16,8 @@ const LETTERS: [Letter; 4] = [
 ];
 
 // ANCHOR: table
-/// Where each letter leads from each state of `LD?S*E`: the start, after `L`, after `D` or `S`, after `E`, and
-/// the one that no word leaves.
+/// Where each letter leads from each state of `LD?S*E`: the start, after `L`, after `D` or `S`,
+/// after `E`, and the one that no word leaves.
 const NEXT: [[usize; 4]; 5] = [
     // L, D, S, E
     [1, 4, 4, 4],

@@ -177,8 +177,8 @@ impl Path {
             beta *= step.weight;
             rr_beta *= step.bsdf_weight;
 
-            // Russian roulette: a survivor also stands for the paths that ended here. Its chance is what the
-            // surfaces left of the light, and does not fall where more paths are sent one way.
+            // Russian roulette: a survivor also stands for the paths that ended here. Its chance is
+            // what the surfaces left of the light, whichever density drew the directions.
             if depth >= self.roulette_from {
                 let q = rr_beta.max_channel().clamp(LEAST_SURVIVAL, 1.0);
                 let survives = step.left < q;
