@@ -39,8 +39,11 @@ pub fn work(desk: &mut Desk) -> Result<Agreed, DeskError> {
         let key = entry.name.replace('-', "_");
         let (mean, error) = found.mean();
         let number = Number::new(&format!("spheres by {}: mean", entry.name), mean);
-        let error = Some(error);
-        desk.number(&format!("spheres_{key}"), Number { error, ..number });
+        let number = Number {
+            error: Some(error),
+            ..number
+        };
+        desk.number(&format!("spheres_{key}"), number);
         let [variance, per_sample] = found.of_one();
         for (what, says, value) in [
             ("variance", "  variance of a sample", variance),
@@ -52,7 +55,7 @@ pub fn work(desk: &mut Desk) -> Result<Agreed, DeskError> {
             continue;
         }
         let (of_path, path_error) = by_path.mean();
-        let z = (mean - of_path) / error.unwrap_or(0.0).hypot(path_error);
+        let z = (mean - of_path) / error.hypot(path_error);
         desk.value(
             &format!("spheres_{key}_z"),
             "  distance from path, standard errors",
