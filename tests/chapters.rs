@@ -22,7 +22,7 @@ use std::process::Command;
 
 /// Chapters with pictures, and the samples of each of their pixels: so many that a bias of 1 % is noticed,
 /// where that takes seconds.
-const PROGRAMS: [(&str, &str, &str); 13] = [
+const PROGRAMS: [(&str, &str, &str); 14] = [
     (env!("CARGO_BIN_EXE_ch01-from-the-eye"), "ch01", "800"),
     (env!("CARGO_BIN_EXE_ch02-whitteds-tree"), "ch02", "16"),
     (env!("CARGO_BIN_EXE_ch06-gather"), "ch06", "16"),
@@ -31,6 +31,7 @@ const PROGRAMS: [(&str, &str, &str); 13] = [
     (env!("CARGO_BIN_EXE_ch09-aim-at-the-light"), "ch09", "32"),
     (env!("CARGO_BIN_EXE_ch10-roulette"), "ch10", "64"),
     (env!("CARGO_BIN_EXE_ch11-combine"), "ch11", "32"),
+    (env!("CARGO_BIN_EXE_ch12-the-path-tracer"), "ch12", "64"),
     (env!("CARGO_BIN_EXE_ch13-six-integrals"), "ch13", "16"),
     (env!("CARGO_BIN_EXE_ch14-alphabet"), "ch14", "256"),
     (env!("CARGO_BIN_EXE_ch15-patches"), "ch15", "256"),
@@ -43,7 +44,7 @@ const PROGRAMS: [(&str, &str, &str); 13] = [
 ];
 
 /// Pictures that show how noisy a method is, or have next to no light: a bias of 3 % would take minutes.
-const SHOW_NOISE: [&str; 17] = [
+const SHOW_NOISE: [&str; 19] = [
     "ch01-light",
     "ch14-caustic",
     "ch14-seen_specular",
@@ -52,6 +53,8 @@ const SHOW_NOISE: [&str; 17] = [
     "ch09-chance_3",
     "ch09-twice",
     "ch11-chance",
+    "ch12-aiming",
+    "ch12-chance",
     "ch16-sweep_small",
     "ch16-sweep_middle",
     "ch16-sweep_large",

@@ -4,6 +4,9 @@
 #[path = "../chapters/ch01_from_the_eye/two_ways.rs"]
 pub mod two_ways;
 
+#[path = "../chapters/ch12_the_path_tracer/left_out.rs"]
+pub mod left_out;
+
 #[path = "../chapters/ch13_six_integrals/profiles.rs"]
 pub mod profiles;
 

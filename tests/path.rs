@@ -1,15 +1,20 @@
 //! The path tracer for use paints what the plain ladder paints.
 
-use crate::checks::{accept, alike, between};
-use glam::Vec3;
+use crate::checks::{accept, alike, between, reject};
+use crate::of_chapters::left_out::{LeftOut, Less, PathWithout};
+use glam::{Vec2, Vec3};
+use halfdisk::flatland::{self, exact};
 use halfdisk::geometry::Ray;
-use halfdisk::integrators::{Combine, Integrator, Path};
+use halfdisk::integrators::world::{FlatTracer, World};
+use halfdisk::integrators::{AllLight, Combine, Integrator, Path};
+use halfdisk::lab::mistakes::misled::{Misled, Slip};
 use halfdisk::render::{Options, Picture, compare, render};
 use halfdisk::sampling::mis::Heuristic;
 use halfdisk::sampling::stream::{Sampler, Stream};
 use halfdisk::scene::gallery::{self, GALLERY};
 use halfdisk::scene::read::Source;
 use halfdisk::scene::{CausticGuide, Scene, Tracer};
+use halfdisk::space::{self, Flat};
 use halfdisk::stats::Estimate;
 
 fn picture(scene: &Scene, integrator: &impl Integrator, spp: u32, seed: u64) -> Picture {
@@ -153,4 +158,51 @@ fn weights_of_aimed_and_met_light_add_up_to_one_where_the_lamp_is_of_glass_howev
             a_lamp_over_a_floor([1.3, 3.7, -0.6], radius, material, "");
         }
     }
+}
+
+#[test]
+fn with_any_ingredient_left_out_the_flat_room_reads_the_same_and_counted_twice_it_does_not() {
+    let room = flatland::load("room").unwrap();
+    let eye = space::Ray::<Flat>::new(Vec2::splat(0.5), Vec2::NEG_Y);
+    let walk = |world: &mut dyn FnMut(&Stream) -> AllLight| -> Estimate {
+        let one = |i| f64::from(world(&Stream::new(31, i, 0)).li.r);
+        (0..200_000).map(one).collect()
+    };
+    fn follow(
+        path: Path,
+        world: &mut impl World<Flat>,
+        eye: &space::Ray<Flat>,
+        s: &Stream,
+    ) -> AllLight {
+        let mut all = AllLight::default();
+        path.walk(world, eye, s, &mut all);
+        all
+    }
+    let truth = exact::ROOM_FLOOR;
+    for left_out in [
+        LeftOut::Nothing,
+        LeftOut::Aiming,
+        LeftOut::Weights,
+        LeftOut::Roulette,
+    ] {
+        let max_depth = 64;
+        let path = PathWithout {
+            max_depth,
+            left_out,
+        }
+        .path();
+        let mut world = Less {
+            world: FlatTracer::new(&room),
+            left_out,
+        };
+        let read = walk(&mut |s| follow(path, &mut world, &eye, s));
+        accept(&format!("without {left_out:?}"), &read, truth, truth);
+    }
+    // Half of the work undone: shadow rays are sent, and what they find is met as well.
+    let mut twice = Misled {
+        world: FlatTracer::new(&room),
+        slip: Slip::CountedTwice,
+    };
+    let read = walk(&mut |s| follow(Path::new(64), &mut twice, &eye, s));
+    reject("counted twice", &read, truth);
 }

@@ -22,6 +22,18 @@ pub fn short(class: Class) -> &'static str {
     }
 }
 
+/// What to look at in its picture.
+fn look_at(class: Class) -> &'static str {
+    match class {
+        Class::Seen => "the lamp, and nothing else",
+        Class::SeenSpecular => "the lamp again, in the mirror and in the glass",
+        Class::Direct => "walls lit by the lamp; all shadows are black",
+        Class::DirectSpecular => "lit walls, seen in the mirror and through the glass",
+        Class::Bleeding => "walls lit by walls, with the colours of those",
+        Class::Caustic => "what the mirror and the glass throw onto the walls",
+    }
+}
+
 /// How it is called in the legend.
 fn label(class: Class) -> &'static str {
     match class {
@@ -63,8 +75,8 @@ pub fn chart(desk: &mut Desk, groups: Vec<BarGroup>) -> Result<(), DeskError> {
         groups,
         ..BarChart::default()
     };
-    let caption =
-        "The light of four scenes by classes of paths. Whitted's tree has the first four.";
+    let caption = "The light of four scenes by classes of paths, in percent. Whitted's tree finds the first four classes; how much it \
+         misses depends on the scene.";
     desk.figure("chart.svg", caption, chart.to_svg()?)
 }
 
@@ -95,7 +107,7 @@ pub fn strip(desk: &mut Desk) -> Result<Drawn, DeskError> {
         let paths = expression.eye_first();
         let rendered = paint(desk, &scene, &FilteredPath { path, paths })?;
         // ANCHOR_END: class
-        let caption = format!("{}: {}.", class.text(), class.name());
+        let caption = format!("{}: {}.", class.text(), look_at(class));
         let name = format!("{}.png", short(class));
         desk.picture(&name, &caption, &rendered.film, &scene)?;
         for (pixel, part) in sum.iter_mut().zip(rendered.film.picture().values) {

@@ -2,8 +2,9 @@
 //!
 //! Question: which light does a ray tracer miss, and can one say so without tracing a ray?
 //! New here: `notation`, `effects::language`, `effects::words`. Decides about all paths
-//! `L(D|S|G)*E`. Builds on: chapter 2 (Whitted's tree), and borrows the path tracer of later ones.
+//! `L(D|S|G)*E`. Builds on: chapters 2 (Whitted's tree) and 12 (the path tracer).
 
+mod automaton;
 mod coverage;
 mod dictionary;
 mod figures;
@@ -36,6 +37,7 @@ fn main() -> ExitCode {
 
 fn work(desk: &mut Desk) -> Result<Ledger, DeskError> {
     // What can be said without a ray.
+    automaton::drawing(desk)?;
     dictionary::ask(desk);
     dictionary::missing(desk)?;
 

@@ -136,8 +136,9 @@ fn room(desk: &mut Desk, name: &str, scene: &Scene) -> Result<u64, DeskError> {
 }
 
 // ANCHOR: break_even
-/// The points at which patches and paths have cost the same at a relative error: the time before the first
-/// point, over what each point saves. Without end where patches do not reach it, or save nothing.
+/// The points at which patches and paths have cost the same at a relative error: the time before
+/// the first point, over what each point saves. Infinite where patches do not reach the error, or
+/// save nothing.
 ///
 /// * `stays`: the squared relative error that no sample takes from patches.
 fn break_even(path: &Run, patches: &Run, stays: f64, error: f64) -> f64 {

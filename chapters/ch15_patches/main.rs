@@ -2,10 +2,12 @@
 //!
 //! Question: must every pixel of every view ask for the light again, where the light of a diffuse room
 //! depends on no view? New here: `radiosity`, form factors, a linear system and its solvers. Simulates
-//! `LD*(S|G)*E`. Builds on: chapter 6 (the gather integral) and 18 (what accuracy costs).
+//! `LD*(S|G)*E`. Builds on: chapters 6 (the gather integral) and 12 (the path tracer).
 
+mod drawing;
 mod fight;
 mod forms;
+mod levels;
 mod rates;
 mod room;
 mod shown;
@@ -28,6 +30,7 @@ fn main() -> ExitCode {
 
 fn work(desk: &mut Desk) -> Result<Ledger, DeskError> {
     // How much of each other two patches see.
+    drawing::patches(desk)?;
     forms::work(desk)?;
 
     // The cube whose ceiling shines: errors, sweeps, shots.
@@ -37,11 +40,14 @@ fn work(desk: &mut Desk) -> Result<Ledger, DeskError> {
     // The box with its blocks, as patches and gathered.
     let drawn = shown::work(desk)?;
 
+    // What samples take away, and what they leave.
+    let levelled = levels::work(desk)?;
+
     // Against paths.
     let fight = fight::work(desk)?;
 
     Ok(Ledger {
-        rays: drawn + fight,
+        rays: drawn + levelled + fight,
         ..Ledger::of(
             "One system of equations holds the light of a diffuse room for every view. It costs the square \
              of the patches in memory, and its error is that of the patches, which no sample takes away.",

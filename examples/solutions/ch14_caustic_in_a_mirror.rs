@@ -1,5 +1,5 @@
-//! Chapter 14, exercise 1: a caustic that is seen in a mirror. What is its expression, and which
-//! scene of the gallery has it?
+//! Chapter 14, exercises 2 and 3: a caustic that is seen in a mirror. What is its expression, and which
+//! scene of the gallery has it? And the class of a word, by a loop.
 //!
 //! The light goes by way of mirrors or glass, `S+`, to one diffuse surface, `D`, and from there by
 //! way of mirrors or glass again, `S+`, to the eye: `LS+DS+E`. Whether a scene can have such paths
@@ -16,6 +16,25 @@ use halfdisk::scene::gallery::{self, GALLERY};
 use std::error::Error;
 
 const MIRRORED: &str = "LS+DS+E";
+
+// ANCHOR: class
+/// The number of a word's class, in the order of [`Class::ALL`](language::Class::ALL); `None` for what is no light path.
+fn class(word: &str) -> Option<usize> {
+    let letters = word.strip_prefix('L')?.strip_suffix('E')?;
+    // The class of the word, if it ended here.
+    letters
+        .chars()
+        .try_fold(0, |class, letter| match (class, letter) {
+            (0 | 1, 'S') => Some(1),
+            (2 | 3, 'S') => Some(3),
+            (0, 'D' | 'G') => Some(2),
+            (1, 'D' | 'G') => Some(5),
+            (2 | 3, 'D' | 'G') => Some(4),
+            (4 | 5, 'S' | 'D' | 'G') => Some(class),
+            _ => None,
+        })
+}
+// ANCHOR_END: class
 
 /// The scenes whose paths can be such ones.
 fn candidates(paths: &Expression) -> Result<Vec<&'static str>, Box<dyn Error>> {
@@ -79,6 +98,10 @@ fn main() -> Result<(), Box<dyn Error>> {
         let paths = found.paths;
         println!("  {name:<9} {light:.3} ± {error:.3} % of the light, by {paths} paths");
     }
+    for word in ["LSDSE", "LDSDE"] {
+        let class = class(word).map_or("no light path", |i| language::Class::ALL[i].name());
+        println!("{word}: {class}");
+    }
     println!("to see one: halfdisk render spheres --paths '{MIRRORED}'");
     Ok(())
 }
@@ -102,6 +125,27 @@ mod tests {
             let word = Word::read(word).unwrap();
             assert_eq!(paths.light_first().accepts(&word.0), inside, "{word}");
         }
+    }
+
+    #[test]
+    fn the_loop_knows_the_class_of_every_word_of_up_to_six_letters() {
+        let languages = language::Class::ALL.map(language::Class::expression);
+        let mut in_a_class = 0;
+        for length in 0..=6 {
+            for number in 0..5_usize.pow(length) {
+                let letters = (0..length).map(|i| b"LDSGE"[number / 5_usize.pow(i) % 5]);
+                let text: String = letters.map(char::from).collect();
+                let word = Word::read(&text).unwrap();
+                let is_in = |e: &Expression| e.light_first().accepts(&word.0);
+                assert_eq!(class(&text), languages.iter().position(is_in), "{text}");
+                in_a_class += u32::from(class(&text).is_some());
+            }
+        }
+        assert_eq!(
+            in_a_class,
+            1 + 3 + 9 + 27 + 81,
+            "words of up to four surfaces"
+        );
     }
 
     #[test]

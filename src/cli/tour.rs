@@ -23,6 +23,7 @@ const CHAPTERS: &[(&str, &str)] = &[
     ("ch09", "ch09-aim-at-the-light"),
     ("ch10", "ch10-roulette"),
     ("ch11", "ch11-combine"),
+    ("ch12", "ch12-the-path-tracer"),
     ("ch13", "ch13-six-integrals"),
     ("ch14", "ch14-alphabet"),
     ("ch15", "ch15-patches"),

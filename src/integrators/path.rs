@@ -43,8 +43,8 @@ pub struct Path {
     pub light_paths: Option<u32>,
 }
 
-/// Even a path that carries next to nothing lives on with this probability: what it may still find
-/// is not weighted up by more than its reciprocal.
+/// Even a path that carries next to nothing survives roulette with this probability, so no survivor is
+/// weighted up by more than its reciprocal.
 const LEAST_SURVIVAL: f32 = 0.05;
 
 impl Path {
@@ -152,18 +152,18 @@ impl Path {
         follow: &mut impl PathObserver,
     ) {
         let mut beta = Rgb::WHITE;
-        // The throughput of which roulette took no account yet.
+        // Throughput that Russian roulette has not accounted for yet.
         let mut rr_beta = Rgb::WHITE;
         let mut ray = *ray;
-        // The surface where the ray was sampled, and with what density; nobody else could have sampled
-        // one from the eye or after a mirror.
-        let mut sampled = None;
+        // The surface that drew the ray, and with what density; nobody else could have drawn one
+        // from the eye or after a mirror.
+        let mut drawn = None;
         for depth in 1..=self.max_depth {
             let hit = world.intersect(&ray, depth);
 
-            // The light that comes along the path by itself: the sampling of lights could have found it.
+            // The light that comes along the path by itself: aiming could have found it, too.
             let mut li = world.emitted(&ray, hit.as_ref());
-            if let Some((from, pdf)) = &sampled
+            if let Some((from, pdf)) = &drawn
                 && !li.is_black()
             {
                 let pdf_light = world.pdf_light(from, &ray, hit.as_ref());
@@ -175,11 +175,11 @@ impl Path {
                 break;
             }
 
-            // The light of light sources that is scattered once, here: the path could have found it.
+            // The light of lamps that is scattered once, here: chance could have found it.
             let vertex = u64::from(depth);
             if let Some(last) = world.smooth_event(&here).filter(|&e| follow.wants(e)) {
-                for light in 0..world.lights() {
-                    if let Some(direct) = world.sample_light(&here, light, vertex, stream) {
+                for lamp in 0..world.lights() {
+                    if let Some(direct) = world.sample_light(&here, lamp, vertex, stream) {
                         follow.aimed(last, beta * direct.weighted(Heuristic::Power));
                     }
                 }
@@ -195,8 +195,8 @@ impl Path {
             beta *= step.weight;
             rr_beta *= step.bsdf_weight;
 
-            // Does the path go on? If so, it also stands for those that did not. It is no worse for
-            // being one of many that look for focused light, and carry less each.
+            // Russian roulette: a survivor also stands for the paths that ended here. Its chance is
+            // what the surfaces left of the light, whichever density drew the directions.
             if depth >= self.roulette_from {
                 let q = rr_beta.max_channel().clamp(LEAST_SURVIVAL, 1.0);
                 let survives = step.left < q;
@@ -206,7 +206,7 @@ impl Path {
                 beta = beta / q;
                 rr_beta = rr_beta / q;
             }
-            sampled = step.pdf.map(|pdf| (here, pdf));
+            drawn = step.pdf.map(|pdf| (here, pdf));
             ray = step.ray;
         }
     }

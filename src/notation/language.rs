@@ -112,6 +112,7 @@ impl Language {
         self.product(other, |own, others| own && !others)
     }
 
+    // ANCHOR: product
     /// Reads a word in both languages at once, and lets `accept` decide from their answers.
     fn product(&self, other: &Language, accept: fn(bool, bool) -> bool) -> Language {
         let mut pairs = Numbering::default();
@@ -127,6 +128,7 @@ impl Language {
         }
         Language::new(next, accepting)
     }
+    // ANCHOR_END: product
 
     /// The first words of the language, at most `limit`, in the order of [`Word`]: shortest first.
     ///

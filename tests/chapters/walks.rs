@@ -149,6 +149,47 @@ fn ch10_roulette() {
 }
 
 #[test]
+fn ch12_the_path_tracer() {
+    let data = check(env!("CARGO_BIN_EXE_ch12-the-path-tracer"), "ch12");
+    let value = |name: &str| number(&data, name, "value");
+    for name in ["plates", "room", "square", "sunk", "many"] {
+        near(&data, name);
+    }
+    assert_eq!(value("many_rays"), 3.0, "one lamp of sixty-four");
+    for percent in [60, 90] {
+        for way in ["chance", "path"] {
+            near(&data, &format!("furnace_{way}_{percent}"));
+        }
+        near(&data, &format!("furnace_chance_variance_{percent}"));
+        let name = format!("furnace_chance_rays_{percent}");
+        let ratio = value(&name) / number(&data, &name, "exact");
+        assert!((ratio - 1.0).abs() < 0.02, "{name}: {ratio}");
+    }
+    // Whatever is left out, the mean stays.
+    for scene in ["box", "plates", "ceiling"] {
+        for left_out in ["aiming", "weights", "roulette", "choice"] {
+            let z = value(&format!("{scene}_{left_out}_z"));
+            assert!(z.abs() <= 4.0, "{scene} without {left_out}: {z}");
+        }
+        // One lamp is asked instead of all, so a path takes no more rays.
+        let rays = |left_out: &str| value(&format!("{scene}_{left_out}_rays"));
+        assert!(rays("path") <= 1.05 * rays("choice") && rays("path") <= rays("roulette"));
+        assert!(rays("aiming") < rays("path"));
+    }
+    assert!(value("box_aiming_price") > 3.0, "a small lamp");
+    assert!(
+        value("plates_weights_price") > 2.0,
+        "large lamps in smooth plates"
+    );
+    assert!(value("ceiling_choice_price") > 2.0, "many lamps");
+    for walk in ["kajiya", "which_ray", "roulette", "next_event", "combine"] {
+        let z = value(&format!("spheres_{walk}_z"));
+        assert!(z.abs() <= 4.0, "{walk}: {z}");
+    }
+    assert!(value("floor_variance_chance") > 50.0 * value("floor_variance_path"));
+}
+
+#[test]
 fn ch13_six_integrals() {
     let data = check(env!("CARGO_BIN_EXE_ch13-six-integrals"), "ch13");
     for name in ["pixel", "light", "lens", "time", "gloss", "hemisphere"] {

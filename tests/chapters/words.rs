@@ -12,6 +12,10 @@ fn ch14_alphabet() {
     let data = check(env!("CARGO_BIN_EXE_ch14-alphabet"), "ch14");
     let value = |name: &str| number(&data, name, "value");
     assert_eq!(value("by_hand"), 30.0);
+    // What is drawn is the automaton in use.
+    for name in ["states", "alike"] {
+        assert_eq!(value(name), number(&data, name, "exact"), "{name}");
+    }
     assert!(value("sum_is_off_by") <= 1e-6);
     for lamp in ["lamp", "point"] {
         for named in [

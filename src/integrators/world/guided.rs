@@ -156,6 +156,7 @@ impl<'a, const KINDS: u8> World<Solid> for Guided<'_, 'a, KINDS> {
         1
     }
 
+    // ANCHOR: choose
     /// Chooses a light by what it may give at the point.
     #[inline]
     fn sample_light(
@@ -199,7 +200,9 @@ impl<'a, const KINDS: u8> World<Solid> for Guided<'_, 'a, KINDS> {
             pdf_bsdf: self.pdf(bsdf.pdf(at.wo, wi), sample.wi),
         })
     }
+    // ANCHOR_END: choose
 
+    // ANCHOR: density
     #[inline]
     fn pdf_light(
         &self,
@@ -220,4 +223,5 @@ impl<'a, const KINDS: u8> World<Solid> for Guided<'_, 'a, KINDS> {
         scene.light_choice.probability(from.p, index)
             * self.tracer.light_pdf(index, &from, ray.direction, at)
     }
+    // ANCHOR_END: density
 }
