@@ -34,14 +34,14 @@ const FILES: [(&str, &str, u32, &str); 8] = [
     (
         "flask",
         include_str!("../../examples/recipes/flask.toml"),
-        64,
+        32,
         "Two round flasks before a striped wall. The left one is full of water and turns what is behind it \
          about; the right one is empty and hardly bends a ray.",
     ),
     (
         "tumbler",
         include_str!("../../examples/recipes/tumbler.toml"),
-        64,
+        32,
         "A square tumbler, half full of water. The stripes break where the water begins.",
     ),
     (
@@ -60,13 +60,13 @@ const FILES: [(&str, &str, u32, &str); 8] = [
     (
         "window",
         include_str!("../../examples/recipes/window.toml"),
-        128,
+        64,
         "A room that is lit by its window alone.",
     ),
     (
         "metals",
         include_str!("../../examples/recipes/metals.toml"),
-        128,
+        64,
         "From the left: silver, aluminium, gold, copper and iron, from smooth to rough.",
     ),
     (

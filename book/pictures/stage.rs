@@ -29,43 +29,43 @@ const MATERIALS: [(&str, &str, u32, &str); 9] = [
     (
         "glass",
         "glass = { ior = 1.5 }",
-        128,
+        64,
         "the floor upside down, the light mirrored twice, and a caustic",
     ),
     (
         "glossy",
         "glossy = { reflectance = [1, 0.78, 0.34], roughness = 0.2 }",
-        64,
+        32,
         "the light is blurred to a highlight",
     ),
     (
         "rough_glass",
         "rough_glass = { ior = 1.5, roughness = 0.1 }",
-        256,
+        128,
         "frosted: the floor is a blur, and so is the caustic",
     ),
     (
         "mixture",
         "mixture = { kd = [0.5, 0.15, 0.1], ks = 0.2, kt = 0.2 }",
-        128,
+        64,
         "a diffuse colour, a sharp reflection, and some of the floor behind",
     ),
     (
         "smooth",
         "glossy = { reflectance = 0.9, roughness = 0.05 }",
-        64,
+        32,
         "roughness 0.05",
     ),
     (
         "middling",
         "glossy = { reflectance = 0.9, roughness = 0.2 }",
-        64,
+        32,
         "roughness 0.2",
     ),
     (
         "rough",
         "glossy = { reflectance = 0.9, roughness = 0.5 }",
-        64,
+        32,
         "roughness 0.5",
     ),
 ];
@@ -75,7 +75,7 @@ const LIGHTS: [(&str, &str, u32, &str); 6] = [
     (
         "quad",
         "[[objects]]\nemits = 12\nquad = { corner = [-2.6, 3.2, -0.6], u = [1.6, 0, 0], v = [0, 0, 1.6] }",
-        64,
+        32,
         "a wide light, and a shadow with a wide edge",
     ),
     (
@@ -93,7 +93,7 @@ const LIGHTS: [(&str, &str, u32, &str); 6] = [
     (
         "directional",
         "[[lights]]\ndirectional = { direction = [2, -3, -1], irradiance = 2.5 }",
-        64,
+        32,
         "from very far away: as bright everywhere",
     ),
     (
@@ -105,7 +105,7 @@ const LIGHTS: [(&str, &str, u32, &str); 6] = [
     (
         "image",
         "[environment]\nimage = \"dusk.hdr\"",
-        128,
+        64,
         "an evening sky with a low sun, 64 x 32 pixels",
     ),
 ];

@@ -97,6 +97,7 @@ impl<Notes> Tile<Notes> {
                         recorder.arrive(light, prepared.splats.of(number), &mut parts, notes);
                     }
                     pixel.taken = sample + 1;
+                    own.iter_mut().for_each(|p| p.taken = pixel.taken);
                     if self.watch.admits(li, BadSample { x, y, sample }) {
                         pixel.add(li);
                         self.sum += f64::from(li.mean());

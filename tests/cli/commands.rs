@@ -1,6 +1,6 @@
 //! What the commands print, write and answer.
 
-use super::{SCENE, complaint, folder, halfdisk, refused};
+use super::{SCENE, complaint, folder, halfdisk, refused, shades};
 use halfdisk::scene::gallery::GALLERY;
 use serde_json::Value;
 
@@ -187,7 +187,7 @@ fn every_scene_is_listed_and_its_file_renders() {
             let all = [&["render", scene, "--out", out][..], &small].concat();
             let output = halfdisk(folder.path(), &all);
             assert!(output.status.success(), "{}", complaint(&output));
-            std::fs::read(folder.path().join(out)).unwrap()
+            shades(&folder.path().join(out))
         };
         assert!(
             render("mine.toml", "a.png") == render(name, "b.png"),

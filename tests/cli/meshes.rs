@@ -1,6 +1,6 @@
 //! The same mesh in every format gives the same picture.
 
-use super::{complaint, folder, halfdisk};
+use super::{complaint, folder, halfdisk, shades};
 use std::path::Path;
 
 /// Corners and faces, the faces counter-clockwise from outside.
@@ -150,10 +150,7 @@ pub fn picture(folder: &Path, mesh: &str, bytes: &[u8]) -> (Vec<u8>, String) {
         &["render", "scene.toml", "--spp", "2", "--out", "p.png"],
     );
     assert!(output.status.success(), "{mesh}: {}", complaint(&output));
-    (
-        std::fs::read(folder.join("p.png")).unwrap(),
-        complaint(&output),
-    )
+    (shades(&folder.join("p.png")), complaint(&output))
 }
 
 #[test]
@@ -220,7 +217,7 @@ fn a_scene_of_ones_own_finds_its_mesh_from_anywhere() {
     let path = path.to_str().unwrap();
     let output = halfdisk(here.path(), &["render", path, "--spp", "2"]);
     assert!(output.status.success(), "{}", complaint(&output));
-    let written = std::fs::read(here.path().join("out/scene.png")).unwrap();
+    let written = shades(&here.path().join("out/scene.png"));
     assert!(written == expected);
 }
 
@@ -276,7 +273,7 @@ fn concave_polygons_cover_themselves_and_face_where_they_are_wound() {
         let arguments = ["render", "scene.toml", "--spp", "2", "--out", "p.png"];
         let output = halfdisk(folder.path(), &arguments);
         assert!(output.status.success(), "{}", complaint(&output));
-        std::fs::read(folder.path().join("p.png")).unwrap()
+        shades(&folder.path().join("p.png"))
     };
     let expected = picture(&squares, "a.ply");
     for name in ["a.ply", "a.obj"] {
@@ -341,9 +338,6 @@ fn a_mesh_in_map_coordinates_looks_as_it_does_near_the_origin() {
             &["render", "far.toml", "--spp", "2", "--out", "f.png"],
         );
         assert!(output.status.success(), "{}", complaint(&output));
-        assert!(
-            std::fs::read(folder.path().join("f.png")).unwrap() == expected,
-            "{name}"
-        );
+        assert!(shades(&folder.path().join("f.png")) == expected, "{name}");
     }
 }

@@ -101,6 +101,11 @@ pub fn interrupted(folder: &Path, arguments: &[&str]) -> Output {
     child.wait_with_output().expect("the program ends")
 }
 
+/// The shades of a picture, without what the file says of how it was made.
+pub fn shades(file: &Path) -> Vec<u8> {
+    image::open(file).expect("a picture").into_bytes()
+}
+
 /// A folder of its own for a test.
 pub fn folder() -> TempDir {
     tempfile::tempdir().expect("a temporary folder")

@@ -37,10 +37,10 @@ fn the_samples_that_were_chosen_give_the_same_bytes() {
         assert!(accuracy["top_share"].as_f64().unwrap() > 0.0);
         let spp = accuracy["reached"]["spp"].to_string();
         assert_eq!(said["facts"]["spp"].to_string(), spp);
-        let again = json(
-            folder.path(),
-            &[&small[..], &["--spp", &spp, "--out", &b]].concat(),
-        );
+        // The pilot of an error also chooses how many paths start at the lights.
+        let light_paths = said["facts"]["light_paths"].to_string();
+        let by_number = ["--spp", &spp, "--light-paths", &light_paths, "--out", &b];
+        let again = json(folder.path(), &[&small[..], &by_number].concat());
         assert_eq!(again["accuracy"]["prediction"], Value::Null);
         assert_eq!(again["accuracy"]["stopped_by"], "samples");
         let read = |name: &str| std::fs::read(folder.path().join(name)).unwrap();
