@@ -43,24 +43,19 @@ const PROGRAMS: [(&str, &str, &str); 14] = [
     ),
 ];
 
-/// Pictures that show how noisy a method is, or have next to no light: a bias of 3 % would take minutes.
-const SHOW_NOISE: [&str; 19] = [
+/// Pictures, or all whose names begin so, that show how noisy a method is, or have next to no light: a bias of 3 %
+/// would take minutes.
+const SHOW_NOISE: [&str; 13] = [
     "ch01-light",
     "ch14-caustic",
     "ch14-seen_specular",
-    "ch09-chance_1",
-    "ch09-chance_2",
-    "ch09-chance_3",
+    "ch09-chance_",
     "ch09-twice",
     "ch11-chance",
     "ch12-aiming",
     "ch12-chance",
-    "ch16-sweep_small",
-    "ch16-sweep_middle",
-    "ch16-sweep_large",
-    "ch16-unseen_path",
-    "ch16-unseen_light_tracer",
-    "ch16-unseen_photons",
+    "ch16-sweep_",
+    "ch16-unseen_",
     "ch17-acne_end",
     "ch19-caustic",
     "ch19-seen_specular",
@@ -128,7 +123,8 @@ fn check_picture(name: &str, path: &Path) {
     });
     let notices = pictures::Verdict::of(&blocks, &blocks).notices;
     println!("{name}: would notice a bias of {:.2} %", 100.0 * notices);
-    let excused = SHOW_NOISE.contains(&name);
+    let excused = (SHOW_NOISE.iter())
+        .any(|shows| *shows == name || shows.ends_with('_') && name.starts_with(shows));
     let enough = notices <= 0.03 || excused;
     assert!(enough, "{name}: would notice a bias of {notices} only");
 }
