@@ -160,9 +160,9 @@ fn every_format_gives_the_same_picture() {
     for solid in [TETRAHEDRON, CUBE] {
         let count = solid.vertices.len() as i32;
         let expected = see("a.ply", solid.ply(Ply::Ascii));
-        let image = image::load_from_memory(&expected).unwrap().to_rgb8();
-        let first = image.get_pixel(0, 0);
-        assert!(image.pixels().any(|p| p != first), "it is seen");
+        let mut pixels = expected.chunks_exact(3);
+        let first = pixels.next().unwrap();
+        assert!(pixels.any(|pixel| pixel != first), "it is seen");
         assert!(expected == see("b.ply", solid.ply(Ply::Little)));
         assert!(expected == see("c.PLY", solid.ply(Ply::Big)));
         assert!(expected == see("a.obj", solid.obj(|i| (i + 1).to_string())));
