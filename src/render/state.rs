@@ -6,7 +6,8 @@ use crate::scene::RayCounts;
 use crate::stats::Estimate;
 use std::ops::Range;
 
-/// A render between two samples: see [`Rendered::state`] and [`Session::resume`](super::Session::resume).
+/// A render between two samples, from what it leaves ([`Rendered`]): [`Session::resume`](super::Session::resume) goes on
+/// from it.
 #[derive(Clone, Debug, PartialEq)]
 pub struct State {
     /// The picture, with how many samples each pixel has taken.
