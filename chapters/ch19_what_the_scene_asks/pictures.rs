@@ -46,9 +46,9 @@ fn look_at(class: Class) -> &'static str {
 
 /// Paints them.
 pub fn work(desk: &mut Desk) -> Result<Drawn, DeskError> {
-    let scene = load(FINAL, desk.choose([400; 2], [48; 2]))?;
+    let scene = load(FINAL, desk.choose([360; 2], [48; 2]))?;
     let path = Path::new(scene.suggested.max_depth);
-    let whole = paint(desk, &scene, desk.spp(64, 8), &path)?;
+    let whole = paint(desk, &scene, desk.spp(48, 8), &path)?;
     let caption = "The final room. Look for the bright spot that the glass ball gathers on the floor, for the second one \
                    high on the green wall, which the mirror throws there, and for the tint that the walls lend to the \
                    ceiling. The specks on the block and in the ball are caustics seen in a mirror or through glass: the \
@@ -56,7 +56,7 @@ pub fn work(desk: &mut Desk) -> Result<Drawn, DeskError> {
     desk.picture("image.png", caption, &whole.film, &scene)?;
 
     let scene = load(FINAL, desk.choose([144; 2], [32; 2]))?;
-    let spp = desk.spp(48, 8);
+    let spp = desk.spp(32, 8);
     let all = paint(desk, &scene, spp, &path)?;
     let total = all.film.mean().0;
     let mut rays = whole.rays.total() + all.rays.total();
