@@ -22,6 +22,9 @@ pub struct Run {
 pub struct Chapter {
     /// The chapter's title.
     pub title: String,
+    /// True for a quick run, whose few samples may not have met all that a page names.
+    #[serde(default)]
+    pub quick: bool,
     /// Measured numbers by name.
     #[serde(default)]
     pub numbers: BTreeMap<String, Number>,
@@ -79,6 +82,21 @@ pub struct Compared {
     pub surprising: f64,
 }
 
+impl Chapter {
+    /// What stands for a number that the chapter lacks: a dash for one that a quick run was too short for, else an
+    /// error.
+    pub fn without(&self, chapter: &str, name: &str) -> Result<String, String> {
+        match self.quick {
+            true => Ok("–".to_string()),
+            false => Err(unknown(
+                &format!("number in {chapter}"),
+                name,
+                self.numbers.keys(),
+            )),
+        }
+    }
+}
+
 impl Run {
     /// Reads every chapter in `folder`; a folder that is not there holds no chapters.
     pub fn load(folder: PathBuf) -> Self {
@@ -108,13 +126,6 @@ impl Run {
     /// The names of all chapters, in order.
     pub fn chapters(&self) -> impl Iterator<Item = &str> {
         self.chapters.keys().map(String::as_str)
-    }
-
-    /// A number, named `chapter` and `name`.
-    pub fn number(&self, chapter: &str, name: &str) -> Result<&Number, String> {
-        let numbers = &self.chapter(chapter)?.numbers;
-        (numbers.get(name))
-            .ok_or_else(|| unknown(&format!("number in {chapter}"), name, numbers.keys()))
     }
 
     /// A figure, and the path of its picture.
@@ -165,7 +176,7 @@ pub mod tests {
     fn a_chapter_is_read_with_what_it_leaves_out() {
         let run = fixtures();
         assert_eq!(run.chapters().collect::<Vec<_>>(), ["ch01"]);
-        let depth = run.number("ch01", "depth").unwrap();
+        let depth = &run.chapter("ch01").unwrap().numbers["depth"];
         assert_eq!((depth.value, depth.error, depth.exact), (4.0, None, None));
         let ledger = run.chapter("ch01").unwrap().ledger.as_ref().unwrap();
         assert_eq!((ledger.rays, ledger.seconds), (2e6, 1.25));
@@ -180,7 +191,10 @@ pub mod tests {
                 "chapter: `ch09` (known: ch01)",
             ),
             (
-                run.number("ch01", "hits").unwrap_err(),
+                run.chapter("ch01")
+                    .unwrap()
+                    .without("ch01", "hits")
+                    .unwrap_err(),
                 "number in ch01: `hits` (known: depth, hits_3d)",
             ),
             (
@@ -190,6 +204,8 @@ pub mod tests {
         ] {
             assert_eq!(refusal, format!("unknown {says}; {REMEDY}"));
         }
+        let quick: Chapter = serde_json::from_str(r#"{"title": "Quick", "quick": true}"#).unwrap();
+        assert_eq!(quick.without("ch01", "hits").as_deref(), Ok("–"));
         let nothing = Run::load(PathBuf::from("nowhere"));
         assert!(
             nothing

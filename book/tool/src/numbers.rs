@@ -19,7 +19,10 @@ pub fn expand(arguments: &[&str], run: &Run) -> Result<String, String> {
         [chapter, name, field] => (chapter, name, Some(field)),
         _ => return Err("write `chapter.name` or `chapter.name.field`".to_string()),
     };
-    let number = run.number(chapter, name)?;
+    let of = run.chapter(chapter)?;
+    let Some(number) = of.numbers.get(name) else {
+        return of.without(chapter, name);
+    };
     let missing = |field: &str| format!("`{chapter}.{name}` has no `{field}`");
     match field {
         None => {
