@@ -49,8 +49,10 @@ impl Worth {
                 long.clamp(MOST * worth(last), worth(last))
             }
         };
+        // A longer run is worth no less than a shorter one: where it seems to be, the shorter ones were lucky.
+        let of_32 = of_32.max(of_64);
         Worth {
-            of_16,
+            of_16: of_16.max(of_32),
             of_32,
             of_64,
         }
@@ -113,6 +115,12 @@ mod tests {
             near(worth.samples(worth.square(spp)), spp);
         }
         near(worth.of_64, 5.0);
+        // A pilot that met its first fireflies late promises no more than it has seen in the end.
+        let late = [look(32, 0.1), look(64, 0.1), look(128, 6.0), look(256, 6.0)];
+        let worth = Worth::new(&late, Sampler::Sobol);
+        let square = |look: &Pilot| look.error * look.error;
+        assert!(worth.square(256.0) >= 0.99 * square(&late[3]), "{worth:?}");
+        assert!(worth.square(32.0) > 10.0 * square(&late[0]), "{worth:?}");
         near(Worth::new(&looks[..2], Sampler::Sobol).of_64, 4.5);
         near(
             Worth::new(&looks, Sampler::Independent).square(100.0),
