@@ -210,5 +210,5 @@ fn neither_threads_nor_tiles_nor_pauses_change_a_bit() {
     let mut session = halfdisk::render::Session::new(&scene, &tracer as &dyn Integrator, &options);
     session.advance(4, &());
     session.advance(9, &());
-    assert_eq!(one, session.finish().film);
+    assert_eq!(one, session.rendered().film);
 }

@@ -92,10 +92,10 @@ fn a_render_that_was_stopped_anywhere_goes_on() {
             let mut session = Session::new(scene, &**integrator, &options);
             let stop = Until(random.random_range(300..14_000).into());
             session.advance(40, &stop);
-            let stopped = State::from(&session.finish());
+            let stopped = State::from(&session.rendered());
             let mut session = Session::resume(scene, &**integrator, &options, &stopped);
             session.advance(40, &());
-            assert_eq!(known(&session.finish()), known(&whole), "{}", scene.name);
+            assert_eq!(known(&session.rendered()), known(&whole), "{}", scene.name);
         }
     }
 }
@@ -118,6 +118,9 @@ fn a_target_is_reached_by_the_same_samples() {
         &goal,
         &(),
     );
+    let before = resumed.rendered.rays_before;
+    assert_eq!(before, few.rays, "speed is told of new rays alone");
+    assert_eq!(whole.rendered.rays_before, Default::default());
     assert_eq!(State::from(&resumed.rendered), State::from(&whole.rendered));
 }
 

@@ -86,7 +86,7 @@ fn one(desk: &mut Desk, scene_name: &str, scene: &Scene, truth: &str) -> Result<
                 course.squares[k].add(squares.mean());
                 course.seconds[k] += session.time().as_secs_f64() / replicates as f64;
             }
-            rays += session.finish().rays.total();
+            rays += session.rendered().rays.total();
         }
         courses.push(course);
     }
@@ -110,7 +110,7 @@ impl Course {
         }
     }
 
-    /// Its law through the last point: error against samples or seconds, of which the last point took `last`.
+    /// The law of its error, drawn through the last point, which took `last` samples or seconds.
     fn law(&self, last: f64) -> Line {
         let error = self.error(self.squares.len() - 1).value;
         Line {

@@ -102,7 +102,7 @@ pub fn halves(desk: &mut Desk) -> Result<u64, DeskError> {
     let mut paused = Session::new(&scene, &path, &options(32, 0));
     paused.advance(16, &());
     paused.advance(32, &());
-    let paused = paused.finish();
+    let paused = paused.rendered();
     // ANCHOR_END: halves
     let differ = |a: &f64, b: &f64| a.to_bits() != b.to_bits();
     let [one, other] = [&whole.film, &paused.film].map(|f| f.picture().values);

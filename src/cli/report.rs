@@ -93,7 +93,8 @@ fn coarse_shapes<S: Serializer>(coarse: &Option<Coarse>, serializer: S) -> Resul
 }
 
 fn rays_per_second(made: &Rendered) -> f64 {
-    made.rays.total() as f64 / made.time.as_secs_f64()
+    let traced = made.rays - made.rays_before;
+    traced.total() as f64 / made.time.as_secs_f64()
 }
 
 fn mean(made: &Rendered) -> Measurement {

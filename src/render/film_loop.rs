@@ -25,7 +25,7 @@ pub fn render(
 ) -> Rendered {
     let mut session = Session::new(scene, integrator, options);
     session.advance(options.spp, progress);
-    session.finish()
+    session.rendered()
 }
 
 /// Renders a scene with all that a recorder keeps of its samples, on the threads of the current rayon
@@ -43,7 +43,7 @@ pub fn record<R: Recorder>(
             .map(|i| session.further(i))
             .collect(),
         notes: session.tiles.iter().map(|t| t.notes.clone()).collect(),
-        rendered: session.finish(),
+        rendered: session.rendered(),
     }
 }
 
@@ -58,6 +58,8 @@ pub struct Session<'a, R: Recorder + ?Sized = dyn Integrator + 'a> {
     spp: u32,
     /// Those that it had already when it went on.
     spp_before: u32,
+    /// The rays of these.
+    rays_before: RayCounts,
     time: Duration,
     interrupted: bool,
 }
@@ -73,6 +75,7 @@ impl<'a, R: Recorder + ?Sized> Session<'a, R> {
             prepared: OfPasses::default(),
             spp: 0,
             spp_before: 0,
+            rays_before: RayCounts::default(),
             time: Duration::ZERO,
             interrupted: false,
         }
@@ -110,6 +113,7 @@ impl<'a, R: Recorder + ?Sized> Session<'a, R> {
         };
         session.spp = state.spp(options.shard);
         session.spp_before = session.spp;
+        session.rays_before = tally.rays;
         session
     }
 
@@ -279,11 +283,6 @@ impl<'a, R: Recorder + ?Sized> Session<'a, R> {
         Film::new(width, pixels)
     }
 
-    /// The end of it.
-    pub fn finish(self) -> Rendered {
-        self.rendered()
-    }
-
     /// What there is so far.
     pub fn rendered(&self) -> Rendered {
         let mut watch = Watch::default();
@@ -292,6 +291,7 @@ impl<'a, R: Recorder + ?Sized> Session<'a, R> {
             film: self.film(),
             rays: self.rays(),
             pass_rays: self.prepared.rays,
+            rays_before: self.rays_before,
             time: self.time,
             non_finite: watch.faults.non_finite(),
             faults: watch.faults,

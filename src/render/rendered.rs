@@ -14,7 +14,10 @@ pub struct Rendered {
     pub rays: RayCounts,
     /// Those of them that passes prepared.
     pub pass_rays: RayCounts,
-    /// Time spent in the pixel loop; zero where there is no clock.
+    /// Those of them that were traced before the render went on from a state: see
+    /// [`Session::resume`](super::Session::resume).
+    pub rays_before: RayCounts,
+    /// Time spent in the pixel loop since then; zero where there is no clock.
     pub time: Duration,
     /// Samples that came out as NaN or infinity. They are in no mean, and never painted over.
     pub non_finite: u64,

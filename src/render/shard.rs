@@ -4,7 +4,7 @@ use std::fmt::{self, Display, Formatter};
 use std::ops::Range;
 use std::str::FromStr;
 
-/// Every so-manieth tile of a picture. Pixels are independent, so the pictures of all shards put together are the
+/// Every n-th tile of a picture, of `n` shards. Pixels are independent, so the pictures of all shards put together are the
 /// picture, bit for bit.
 ///
 /// Written as `I/N`, with `I` from 1 to `N`.

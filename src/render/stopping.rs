@@ -162,7 +162,7 @@ pub fn render_from(
         };
         let interrupted = stopped_by == StoppedBy::Interrupt;
         return Outcome {
-            rendered: session.finish(),
+            rendered: session.rendered(),
             seed: options.seed,
             prediction,
             spp: if interrupted { aim } else { reached.spp },

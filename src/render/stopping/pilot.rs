@@ -127,7 +127,7 @@ fn watch<R: Recorder + ?Sized>(
             }
         };
         if session.interrupted() {
-            return Err(Unfinished::Stopped(Box::new(session.finish())));
+            return Err(Unfinished::Stopped(Box::new(session.rendered())));
         }
         let left = clock.map(|clock| clock.left().as_secs_f64());
         if late {
