@@ -106,6 +106,13 @@ impl Camera {
         Ray::new(self.origin, self.toward(s, t).normalize())
     }
 
+    /// Where it is, and the middle of the image plane at distance 1 seen from there, half its width to the right and
+    /// half its height upwards; `None` where it has a lens.
+    pub fn pinhole(&self) -> Option<[Vec3; 4]> {
+        let all = [self.origin, self.forward, self.right, self.up];
+        self.lens.is_none().then_some(all)
+    }
+
     /// A ray through film position `(s, t)` and a uniform point of the lens; a pinhole draws no
     /// number.
     pub fn sample_ray(&self, s: f32, t: f32, stream: &Stream) -> Ray {

@@ -7,6 +7,7 @@
 mod aabb;
 mod bvh;
 mod instance;
+pub mod lanes;
 mod mesh;
 mod moving;
 mod polygon;

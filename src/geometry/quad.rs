@@ -18,7 +18,7 @@ pub struct Quad {
     corners: [[f32; 4]; 3],
     normal: Vec3,
     /// Bound on the rounding error of a point, coordinate by coordinate.
-    error: Vec3,
+    pub(super) error: Vec3,
 }
 
 impl Quad {

@@ -6,7 +6,7 @@ use glam::Vec3;
 
 /// Bound on how far off a sphere `f64` puts a point or sees a ray's origin, relative to its radius:
 /// eight roundings.
-const SPHERE_ERROR: f32 = 4.0 * f64::EPSILON as f32;
+pub(super) const SPHERE_ERROR: f32 = 4.0 * f64::EPSILON as f32;
 
 /// A sphere; its front is outside, or inside.
 #[derive(Clone, Copy, Debug)]

@@ -26,6 +26,7 @@ mod distributed;
 mod entry;
 mod from_light;
 mod kajiya;
+mod lanes;
 mod light_tracer;
 mod next_event;
 mod observer;
@@ -49,6 +50,7 @@ pub use distributed::{Distributed, Integral};
 pub use entry::{Entry, Finds, Found, Shows};
 pub use from_light::Gain;
 pub use kajiya::Kajiya;
+pub use lanes::{PathInLanes, PixelSample};
 pub use light_tracer::LightTracer;
 pub use next_event::NextEvent;
 pub use observer::{AllLight, FilteredPath, FromEye, PathFilter, PathObserver};
@@ -116,6 +118,11 @@ pub trait Integrator: Sync {
     /// A pure function of its arguments: all randomness comes from `stream`, all rays go through
     /// `tracer`.
     fn li(&self, tracer: &mut Tracer, ray: &Ray, stream: &Stream) -> Rgb;
+
+    /// The same samples, many at a time; `None` for integrators and scenes that take them one by one.
+    fn in_lanes<'s>(&self, _scene: &'s Scene) -> Option<PathInLanes<'s>> {
+        None
+    }
 
     /// What is prepared for each sample of all pixels at once; `None` where the pixels of a scene need nothing of
     /// the kind. Where there is something, [`Integrator::li`] alone is a part of the light.

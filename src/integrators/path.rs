@@ -19,7 +19,9 @@
 
 use super::observer::{AllLight, FromEye, PathObserver};
 use super::world::{Guided, World};
-use super::{Arrival, Caustics, Entry, Finds, Found, Integrator, Pass, Passes, Prepared};
+use super::{
+    Arrival, Caustics, Entry, Finds, Found, Integrator, Pass, Passes, PathInLanes, Prepared,
+};
 use crate::color::Rgb;
 use crate::geometry;
 use crate::materials::kinds;
@@ -45,7 +47,7 @@ pub struct Path {
 
 /// Even a path that carries next to nothing survives roulette with this probability, so no survivor is
 /// weighted up by more than its reciprocal.
-const LEAST_SURVIVAL: f32 = 0.05;
+pub(super) const LEAST_SURVIVAL: f32 = 0.05;
 
 impl Path {
     /// Its row of the table.
@@ -258,6 +260,10 @@ impl Integrator for Path {
             _ => self.among::<{ kinds::ALL }>(tracer, ray, stream, &mut all),
         }
         all.li
+    }
+
+    fn in_lanes<'s>(&self, scene: &'s Scene) -> Option<PathInLanes<'s>> {
+        PathInLanes::new(self, scene)
     }
 
     fn passes(&self, scene: &Scene) -> Option<&dyn Passes> {

@@ -98,6 +98,11 @@ impl LightChoice {
         }
     }
 
+    /// The only light, where there is no more to choose from.
+    pub fn only(&self) -> Option<usize> {
+        self.only
+    }
+
     /// Draws a light for the point `p`; `None` where there is none, or all that are left on the way
     /// down the tree shine away from there.
     ///

@@ -7,6 +7,7 @@ mod custom;
 mod delta;
 mod emission;
 mod environment;
+pub mod lanes;
 mod mesh;
 mod moved;
 mod quad;

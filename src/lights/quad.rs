@@ -78,6 +78,11 @@ impl QuadLight {
         &self.quad
     }
 
+    /// Its middle, and the square of the distance from there beyond which it is sampled by area.
+    pub(super) fn by_area_beyond(&self) -> (Vec3, f32) {
+        (self.extent.middle, self.extent.far)
+    }
+
     /// In W/(m² sr), in every direction of a side that shines.
     pub fn radiance(&self) -> Rgb {
         self.radiance

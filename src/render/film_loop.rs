@@ -3,15 +3,14 @@
 use super::clock::Clock;
 use super::progress::Progress;
 use super::recorder::{Recorded, Recorder};
+use super::shots::{OfPasses, Shots};
 use super::tile::{Tile, tiles};
 use super::watch::Watch;
 use super::{Film, Options, Pixel, Rendered, State, rounding};
-use crate::integrators::{Integrator, Pass, Prepared};
+use crate::integrators::{Integrator, PathInLanes};
 use crate::sampling::stream::{EVEN_SAMPLES, Sampler, even_run};
 use crate::scene::{RayCounts, Scene};
-use crate::stats::Estimate;
 use crate::time::Moment;
-use rayon::prelude::*;
 use std::ops::Range;
 use std::sync::atomic::{AtomicBool, AtomicU64, Ordering};
 use std::time::Duration;
@@ -55,6 +54,8 @@ pub struct Session<'a, R: Recorder + ?Sized = dyn Integrator + 'a> {
     options: Options,
     tiles: Vec<Tile<R::Notes>>,
     prepared: OfPasses,
+    /// The recorder's samples many at a time, where it can take them so.
+    lanes: Option<PathInLanes<'a>>,
     spp: u32,
     /// Those that it had already when it went on.
     spp_before: u32,
@@ -73,6 +74,11 @@ impl<'a, R: Recorder + ?Sized> Session<'a, R> {
             options: *options,
             tiles: tiles(scene.size, options, recorder.pictures()),
             prepared: OfPasses::default(),
+            lanes: options
+                .fixed
+                .is_empty()
+                .then(|| recorder.in_lanes(scene))
+                .flatten(),
             spp: 0,
             spp_before: 0,
             rays_before: RayCounts::default(),
@@ -144,6 +150,7 @@ impl<'a, R: Recorder + ?Sized> Session<'a, R> {
                 scene,
                 recorder,
                 options,
+                lanes: self.lanes.as_ref(),
                 stop: &stop,
                 tell: &tell,
             };
@@ -198,6 +205,7 @@ impl<'a, R: Recorder + ?Sized> Session<'a, R> {
                 scene,
                 recorder,
                 options,
+                lanes: self.lanes.as_ref(),
                 stop: &stop,
                 tell: &|_| (),
             };
@@ -301,86 +309,6 @@ impl<'a, R: Recorder + ?Sized> Session<'a, R> {
             lights_met: self.tiles.iter().fold(0, |met, tile| met | tile.lights_met),
             passes: self.prepared.means,
         }
-    }
-}
-
-/// What is known of passes for which something was prepared.
-#[derive(Clone, Copy, Debug, Default)]
-struct OfPasses {
-    /// The rays that this took.
-    rays: RayCounts,
-    /// The mean of the picture by each alone.
-    means: Estimate,
-}
-
-/// What all samples of a picture have in common.
-struct Shots<'a, R: Recorder + ?Sized> {
-    scene: &'a Scene,
-    recorder: &'a R,
-    options: &'a Options,
-    stop: &'a (dyn Fn() -> bool + Sync),
-    /// Hears of samples that were taken, and of how many.
-    tell: &'a (dyn Fn(u64) + Sync),
-}
-
-impl<R: Recorder + ?Sized> Shots<'_, R> {
-    /// Takes the samples of a pass over the picture; false where it was stopped before the last.
-    fn take(
-        &self,
-        pass: Range<u32>,
-        tiles: &mut [Tile<R::Notes>],
-        of_passes: &mut OfPasses,
-    ) -> bool {
-        let Some(passes) = self.recorder.passes(self.scene) else {
-            return self.of_tiles(pass, &Prepared::default(), tiles);
-        };
-        // What is prepared for a sample is for all pixels at once, so all tiles take it together.
-        pass.into_iter().all(|sample| {
-            let prepared = passes.prepare(&Pass {
-                scene: self.scene,
-                sample,
-                seed: self.options.seed,
-                sampler: self.options.sampler,
-                fixed: self.options.fixed,
-                stop: self.stop,
-            });
-            prepared.is_some_and(|prepared| {
-                of_passes.rays += prepared.rays;
-                let whole = self.of_tiles(sample..sample + 1, &prepared, tiles);
-                if whole && self.options.sampler == Sampler::Independent {
-                    let pixels: usize = tiles.iter().map(|tile| tile.pixels.len()).sum();
-                    let sum: f64 = tiles.iter().map(|tile| tile.sum).sum();
-                    of_passes.means.add(sum / pixels as f64);
-                }
-                whole
-            })
-        })
-    }
-
-    fn of_tiles(
-        &self,
-        pass: Range<u32>,
-        prepared: &Prepared,
-        tiles: &mut [Tile<R::Notes>],
-    ) -> bool {
-        let whole = AtomicBool::new(true);
-        let stop = || !whole.load(Ordering::Relaxed) || (self.stop)();
-        tiles.par_iter_mut().for_each(|tile| {
-            let samples = tile.pixels.len() as u64 * u64::from(pass.end - pass.start);
-            if tile.sample(
-                self.scene,
-                self.recorder,
-                self.options,
-                pass.clone(),
-                prepared,
-                &stop,
-            ) {
-                (self.tell)(samples);
-            } else {
-                whole.store(false, Ordering::Relaxed);
-            }
-        });
-        whole.into_inner()
     }
 }
 

@@ -17,6 +17,7 @@ mod progress;
 mod recorder;
 mod rendered;
 mod shard;
+mod shots;
 mod state;
 pub mod stopping;
 mod tile;

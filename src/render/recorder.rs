@@ -3,7 +3,7 @@
 use super::{Film, Rendered};
 use crate::color::Rgb;
 use crate::geometry::Ray;
-use crate::integrators::{Integrator, Passes, Splat};
+use crate::integrators::{Integrator, Passes, PathInLanes, Splat};
 use crate::sampling::stream::Stream;
 use crate::scene::{Scene, Tracer};
 
@@ -21,6 +21,12 @@ pub trait Recorder: Sync {
 
     /// What is prepared for each sample of all pixels at once: its light is in the picture, too.
     fn passes(&self, _scene: &Scene) -> Option<&dyn Passes> {
+        None
+    }
+
+    /// The same samples, many at a time, where nothing but their radiance is kept; `None` where each is taken by
+    /// itself.
+    fn in_lanes<'s>(&self, _scene: &'s Scene) -> Option<PathInLanes<'s>> {
         None
     }
 
@@ -53,6 +59,10 @@ impl<I: Integrator + ?Sized> Recorder for I {
 
     fn passes(&self, scene: &Scene) -> Option<&dyn Passes> {
         Integrator::passes(self, scene)
+    }
+
+    fn in_lanes<'s>(&self, scene: &'s Scene) -> Option<PathInLanes<'s>> {
+        Integrator::in_lanes(self, scene)
     }
 
     fn record(

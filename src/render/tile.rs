@@ -5,8 +5,8 @@ use super::watch::Watch;
 use super::{BadSample, Options, Pixel, shard};
 use crate::color::Rgb;
 use crate::geometry::Ray;
-use crate::integrators::Prepared;
-use crate::sampling::stream::{Purpose, Sampler, Stream, even_run};
+use crate::integrators::{PathInLanes, PixelSample, Prepared};
+use crate::sampling::stream::{Sampler, Stream, even_run};
 use crate::scene::{RayCounts, Scene, Tracer};
 use std::ops::Range;
 
@@ -54,8 +54,39 @@ pub(super) fn tiles<Notes: Default>(
 }
 
 impl<Notes> Tile<Notes> {
-    /// Takes the samples of a pass, by or with what was prepared for it in the whole picture; false where it was
-    /// stopped before its last pixel. It asks before each sample: a pass over a tile may have thousands, and a
+    /// The light of the samples of a pass, in their order, taken many at a time; fewer where it was stopped.
+    fn light<'s>(
+        &self,
+        lanes: &PathInLanes<'s>,
+        options: &Options,
+        pass: &Range<u32>,
+        tracer: &mut Tracer<'s>,
+        stop: &(dyn Fn() -> bool + Sync),
+    ) -> Vec<Rgb> {
+        let width = tracer.scene().size[0];
+        let places = self
+            .y
+            .clone()
+            .flat_map(|y| self.x.clone().map(move |x| [x, y]));
+        let mut samples = places.zip(&self.pixels).flat_map(|(pixel, before)| {
+            let numbers = pass.start.max(before.taken)..pass.end;
+            numbers.map(move |sample| (pixel, sample))
+        });
+        let mut next = || {
+            let ([x, y], sample) = samples.next().filter(|_| !stop())?;
+            let stream = Stream::with(options.sampler, options.seed, y * width + x, sample);
+            Some(PixelSample {
+                pixel: [x, y],
+                stream,
+            })
+        };
+        let mut light = Vec::new();
+        lanes.take(tracer, options.sampler, &mut next, &mut light);
+        light
+    }
+
+    /// Takes the samples of a pass, in lanes or one by one, by or with what was prepared for it in the whole picture; false
+    /// where it was stopped before its last pixel. It asks before each sample: a pass over a tile may have thousands, and a
     /// sample take a millisecond.
     pub(super) fn sample<R: Recorder<Notes = Notes> + ?Sized>(
         &mut self,
@@ -64,6 +95,7 @@ impl<Notes> Tile<Notes> {
         options: &Options,
         pass: Range<u32>,
         prepared: &Prepared,
+        lanes: Option<&PathInLanes>,
         stop: &(dyn Fn() -> bool + Sync),
     ) -> bool {
         let mut tracer = Tracer::new(scene);
@@ -71,6 +103,10 @@ impl<Notes> Tile<Notes> {
         let ends_run = options.sampler == Sampler::Sobol && pass.end == run.end;
         let pictures = recorder.pictures();
         let mut parts = vec![Rgb::BLACK; pictures];
+        let mut in_lanes = lanes.map(|lanes| {
+            self.light(lanes, options, &pass, &mut tracer, stop)
+                .into_iter()
+        });
         let mut further = self.further.as_mut_slice();
         let mut whole = true;
         self.sum = 0.0;
@@ -80,15 +116,22 @@ impl<Notes> Tile<Notes> {
                 further = rest;
                 // What a picture had that is taken further is not taken again.
                 for sample in pass.start.max(pixel.taken)..pass.end {
-                    whole = !stop();
-                    if !whole {
-                        break 'pixels;
-                    }
-                    let (ray, stream) = camera_sample(scene, options, [x, y], sample);
                     let notes = &mut self.notes;
-                    let mut li = match &prepared.eye {
-                        Some(eye) => eye.li(&mut tracer, &ray, &stream),
-                        None => recorder.record(&mut tracer, &ray, &stream, &mut parts, notes),
+                    let li = match &mut in_lanes {
+                        Some(light) => light.next(),
+                        None => (!stop()).then(|| {
+                            let (ray, stream) = camera_sample(scene, options, [x, y], sample);
+                            match &prepared.eye {
+                                Some(eye) => eye.li(&mut tracer, &ray, &stream),
+                                None => {
+                                    recorder.record(&mut tracer, &ray, &stream, &mut parts, notes)
+                                }
+                            }
+                        }),
+                    };
+                    let Some(mut li) = li else {
+                        whole = false;
+                        break 'pixels;
                     };
                     if let Some(light) = &prepared.light {
                         let number = y * scene.size[0] + x;
@@ -118,22 +161,13 @@ impl<Notes> Tile<Notes> {
 }
 
 /// The camera ray of sample `sample` of the pixel in column `x` and row `y`, and its random numbers.
-/// The ray looks at the scene at a random moment, where anything moves.
 pub fn camera_sample(
     scene: &Scene,
     options: &Options,
     [x, y]: [u32; 2],
     sample: u32,
 ) -> (Ray, Stream) {
-    let [width, height] = scene.size;
-    let stream =
-        Stream::with(options.sampler, options.seed, y * width + x, sample).fixing(options.fixed);
-    let [u, v] = stream.at(0, Purpose::Pixel).two();
-    let s = (x as f32 + u) / width as f32;
-    let t = (y as f32 + v) / height as f32;
-    let mut ray = scene.camera.sample_ray(s, t, &stream);
-    if scene.moves() {
-        ray.time = stream.at(0, Purpose::Time).one();
-    }
-    (ray, stream)
+    let pixel = y * scene.size[0] + x;
+    let stream = Stream::with(options.sampler, options.seed, pixel, sample).fixing(options.fixed);
+    (scene.camera_ray([x, y], &stream), stream)
 }

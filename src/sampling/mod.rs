@@ -13,6 +13,7 @@ pub mod flat_frame;
 pub mod frame;
 pub mod half_disk;
 pub mod hemisphere;
+pub mod lanes;
 pub mod mis;
 pub mod spherical_rectangle;
 pub mod spherical_triangle;

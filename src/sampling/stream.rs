@@ -56,12 +56,12 @@ pub enum Sampler {
 /// The random numbers of one camera sample.
 #[derive(Clone, Copy, Debug)]
 pub struct Stream {
-    key: u64,
+    pub(super) key: u64,
     /// The sample's number among points that lie evenly together.
-    index: u32,
-    sampler: Sampler,
+    pub(super) index: u32,
+    pub(super) sampler: Sampler,
     /// One bit for each purpose whose numbers are all 1/2.
-    fixed: u16,
+    pub(super) fixed: u16,
 }
 
 /// The most samples that lie evenly together. Of twice as many, a picture of few smooth pixels has a
@@ -69,7 +69,7 @@ pub struct Stream {
 pub const EVEN_SAMPLES: u32 = 64;
 /// The last place whose points lie evenly: in a Cornell box a picture without those of later bounces
 /// is as good, and takes less time.
-const LAST_EVEN_PLACE: u64 = 3;
+pub(super) const LAST_EVEN_PLACE: u64 = 3;
 
 /// The samples among which sample `sample` lies evenly: 16, 16, 32, then 64 after 64.
 ///

@@ -21,6 +21,7 @@ pub mod image_file;
 mod images;
 mod interaction;
 mod lamps;
+pub mod lanes;
 mod made_from;
 mod mapping;
 pub mod mesh_file;
@@ -48,9 +49,10 @@ pub use tracer::{RayCounts, Tracer};
 
 use crate::camera::Camera;
 use crate::color::Rgb;
-use crate::geometry::Bvh;
+use crate::geometry::{Bvh, Ray};
 use crate::lights::{EmissionChoice, Light, LightChoice};
 use crate::materials::{Color, Material};
+use crate::sampling::stream::{Purpose, Stream};
 use contacts::Contacts;
 use description::Description;
 use glam::{DVec3, Vec3};
@@ -189,6 +191,20 @@ impl Scene {
             let mut files = self.report.files.iter();
             files.any(|file| same(file).as_ref() == Some(&path))
         })
+    }
+
+    /// The camera ray of a sample of a pixel, by column and row, and by the sample's random numbers. It looks at the scene
+    /// at a random moment, where anything moves.
+    pub fn camera_ray(&self, [x, y]: [u32; 2], stream: &Stream) -> Ray {
+        let [width, height] = self.size;
+        let [u, v] = stream.at(0, Purpose::Pixel).two();
+        let s = (x as f32 + u) / width as f32;
+        let t = (y as f32 + v) / height as f32;
+        let mut ray = self.camera.sample_ray(s, t, stream);
+        if self.moves() {
+            ray.time = stream.at(0, Purpose::Time).one();
+        }
+        ray
     }
 
     /// Radiance along a ray that leaves the scene in the unit `direction`.

@@ -75,6 +75,11 @@ impl<'a> Tracer<'a> {
         self.counts
     }
 
+    /// Counts rays that were asked for elsewhere.
+    pub(crate) fn count(&mut self, rays: RayCounts) {
+        self.counts += rays;
+    }
+
     /// Notes that a path hit a light where it shines, if that is what it hit.
     pub fn note_light(&mut self, hit: &Interaction) {
         if let Some(light) = hit.object.light
@@ -222,6 +227,21 @@ impl<'a> Tracer<'a> {
     fn light_moved(&self, index: usize, time: f32) -> Option<Vec3> {
         let span = self.scene.transformed.as_ref()?.span_of_light[index];
         (span != Vec3::ZERO).then(|| span * time)
+    }
+
+    /// Density in 1/sr with which a light is chosen at the surface `from` and aimed at in the unit direction `wi`, where
+    /// the ray in that direction hits `hit`, or leaves the scene.
+    #[inline]
+    pub fn chosen_light_pdf(&self, from: &Surface, wi: Vec3, hit: Option<&Interaction>) -> f32 {
+        let light = match hit {
+            Some(hit) => hit.object.light.map(|light| light as usize),
+            None => self.scene.beyond_light(),
+        };
+        let Some(index) = light else {
+            return 0.0;
+        };
+        let at = hit.map(|hit| &hit.surface);
+        self.scene.light_choice.probability(from.p, index) * self.light_pdf(index, from, wi, at)
     }
 
     #[inline]

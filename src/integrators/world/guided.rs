@@ -42,6 +42,39 @@ impl<'t, 'a, const KINDS: u8> Guided<'t, 'a, KINDS> {
         }
     }
 
+    /// The view of a path that may have met a diffuse surface first, at its vertex `hit` at the end of segment `segment`.
+    pub(in crate::integrators) fn at_vertex(
+        self,
+        on_caustic: bool,
+        hit: &Interaction<'a>,
+        segment: u32,
+    ) -> Self {
+        let mut here = Guided { on_caustic, ..self };
+        here.look_around(hit, segment);
+        here
+    }
+
+    /// True where the path has met a diffuse surface first, and what is focused there is traced from the lights.
+    pub(in crate::integrators) fn on_caustic(&self) -> bool {
+        self.on_caustic
+    }
+
+    /// Sees what focuses light from the point that was met.
+    #[inline]
+    fn look_around(&mut self, hit: &Interaction<'a>, segment: u32) {
+        let casters = &self.tracer.scene().casters;
+        if KINDS & kinds::SPECULAR != 0 && !casters.is_empty() {
+            let event = self.smooth_event(hit);
+            if segment == 1 {
+                self.on_caustic = self.from_lights && event == Some(Event::Diffuse);
+            }
+            self.seen = match event {
+                Some(_) if !self.on_caustic => casters.seen_from(hit.surface.p),
+                _ => GuideAt::default(),
+            };
+        }
+    }
+
     /// The BSDF at a point.
     fn bsdf<'p>(at: &'p Interaction<'a>) -> Option<Among<'p, KINDS>> {
         at.bsdf.as_ref().map(Among)
@@ -69,17 +102,7 @@ impl<'a, const KINDS: u8> World<Solid> for Guided<'_, 'a, KINDS> {
         } else {
             self.tracer.secondary_ray(ray)?
         };
-        let casters = &self.tracer.scene().casters;
-        if KINDS & kinds::SPECULAR != 0 && !casters.is_empty() {
-            let event = self.smooth_event(&hit);
-            if segment == 1 {
-                self.on_caustic = self.from_lights && event == Some(Event::Diffuse);
-            }
-            self.seen = match event {
-                Some(_) if !self.on_caustic => casters.seen_from(hit.surface.p),
-                _ => GuideAt::default(),
-            };
-        }
+        self.look_around(&hit, segment);
         Some(hit)
     }
 
@@ -210,18 +233,8 @@ impl<'a, const KINDS: u8> World<Solid> for Guided<'_, 'a, KINDS> {
         ray: &Ray<Solid>,
         hit: Option<&Interaction<'a>>,
     ) -> f32 {
-        let scene = self.tracer.scene();
-        let light = match hit {
-            Some(hit) => hit.object.light.map(|light| light as usize),
-            None => scene.beyond_light(),
-        };
-        let Some(index) = light else {
-            return 0.0;
-        };
         let from = from.surface.facing(from.back);
-        let at = hit.map(|hit| &hit.surface);
-        scene.light_choice.probability(from.p, index)
-            * self.tracer.light_pdf(index, &from, ray.direction, at)
+        self.tracer.chosen_light_pdf(&from, ray.direction, hit)
     }
     // ANCHOR_END: density
 }

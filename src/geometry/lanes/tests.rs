@@ -1,0 +1,257 @@
+//! Sixteen rays at once against one at a time.
+
+use super::*;
+use crate::geometry::{Bvh, Ray, Surface};
+use crate::numeric::lanes::{Each, LANES, Row3, levels};
+use crate::sampling::stream::{Numbers, Purpose, Stream};
+use crate::sampling::warps;
+use fearless_simd::{Level, dispatch};
+use glam::{DVec3, Vec3};
+
+fn numbers(seed: u64, i: u32) -> Numbers {
+    Stream::new(seed, i, 0).at(0, Purpose::Direction)
+}
+
+fn point(numbers: &mut Numbers, size: f32) -> Vec3 {
+    Vec3::from([(); 3].map(|()| (numbers.one() - 0.5) * size))
+}
+
+/// A room with a block of slanted quads and two balls in it, so large.
+fn room(size: f32) -> Vec<Shape> {
+    let quad = |corner: [f64; 3], u: [f64; 3], v: [f64; 3]| {
+        let [corner, u, v] = [corner, u, v].map(|x| DVec3::from(x) * f64::from(size));
+        Shape::Quad(Quad::new(corner, u, v).expect("a quad"))
+    };
+    let ball = |at: Vec3, radius: f32, inward| {
+        Shape::Sphere(Sphere {
+            center: at * size,
+            radius: radius * size,
+            inward,
+        })
+    };
+    vec![
+        quad([-1.0, -1.0, -1.0], [2.0, 0.0, 0.0], [0.0, 0.0, 2.0]),
+        quad([-1.0, 1.0, -1.0], [0.0, 0.0, 2.0], [2.0, 0.0, 0.0]),
+        quad([-1.0, -1.0, -1.0], [0.0, 2.0, 0.0], [2.0, 0.0, 0.0]),
+        quad([-1.0, -1.0, -1.0], [0.0, 0.0, 2.0], [0.0, 2.0, 0.0]),
+        quad([1.0, -1.0, -1.0], [0.0, 2.0, 0.0], [0.0, 0.0, 2.0]),
+        quad([-0.3, 0.999, -0.3], [0.6, 0.0, 0.0], [0.0, 0.0, 0.6]),
+        quad([0.1, -1.0, 0.1], [0.4, 0.0, 0.2], [-0.1, 0.7, 0.0]),
+        quad([0.5, -1.0, 0.3], [-0.2, 0.0, 0.4], [-0.1, 0.7, 0.0]),
+        quad([-0.8, -0.2, 0.0], [1e-3, 0.0, 0.0], [0.0, 0.9, 0.1]),
+        ball(Vec3::new(-0.4, -0.7, 0.3), 0.3, false),
+        ball(Vec3::new(0.6, 0.4, -0.5), 0.25, true),
+    ]
+}
+
+/// Rays with the shape that each leaves: from afar, from surfaces, and at edges and corners.
+fn rays(shapes: &[Shape], size: f32, i: u32) -> Vec<(Ray, u32)> {
+    let mut numbers = numbers(11, i);
+    let from_surface = |numbers: &mut Numbers| {
+        let id = numbers.one() * shapes.len() as f32;
+        let surface = surface_of(&shapes[id as usize], [numbers.one(), numbers.one()]);
+        (surface, id as u32)
+    };
+    let corner = |numbers: &mut Numbers| {
+        let quads: Vec<Vec<Vec3>> = shapes
+            .iter()
+            .map(Shape::corners)
+            .filter(|c| !c.is_empty())
+            .collect();
+        let corners = &quads[(numbers.one() * quads.len() as f32) as usize];
+        let at = (numbers.one() * 4.0) as usize;
+        let along = if numbers.one() < 0.5 {
+            0.0
+        } else {
+            numbers.one()
+        };
+        corners[at].lerp(corners[(at + 1) % 4], along)
+    };
+    let ray = |kind: u32, numbers: &mut Numbers| match kind {
+        0 => {
+            let direction = warps::sample_sphere(numbers.two());
+            (Ray::new(point(numbers, 2.0 * size), direction), NO_SHAPE)
+        }
+        1 => {
+            let (surface, id) = from_surface(numbers);
+            (surface.spawn(warps::sample_sphere(numbers.two())), id)
+        }
+        2 => {
+            let (surface, id) = from_surface(numbers);
+            let (target, _) = from_surface(numbers);
+            (surface.spawn_to(&target), id)
+        }
+        _ => {
+            let origin = point(numbers, 2.0 * size);
+            (
+                Ray::new(origin, (corner(numbers) - origin).normalize()),
+                NO_SHAPE,
+            )
+        }
+    };
+    (0..LANES as u32)
+        .map(|lane| ray((i + lane / 4) % 4, &mut numbers))
+        .collect()
+}
+
+fn surface_of(shape: &Shape, u: [f32; 2]) -> Surface {
+    match shape {
+        Shape::Quad(quad) => quad.surface_at(u[0], u[1]),
+        Shape::Sphere(sphere) => {
+            sphere.surface_towards(warps::sample_sphere(u).as_dvec3().normalize())
+        }
+        Shape::Triangle(_) => unreachable!("no triangle here"),
+    }
+}
+
+/// What became of rays in lanes.
+#[derive(Debug, Default, PartialEq)]
+struct Count {
+    hit: u32,
+    missed: u32,
+    doubt: u32,
+    /// Lanes in which something else came out than for one ray.
+    wrong: u32,
+}
+
+/// First hits, or occlusion, of many rays.
+fn count(few: &FewShapes, shapes: &[Shape], size: f32, level: Level, rounds: u32) -> [Count; 2] {
+    let tree = Bvh::new(shapes);
+    let mut counts = [Count::default(), Count::default()];
+    for i in 0..rounds {
+        let rays = rays(shapes, size, i);
+        let (mut origin, mut direction, mut t_max) =
+            (Row3::default(), Row3::default(), Row::default());
+        let mut from = WordRow::default();
+        for (lane, (ray, id)) in rays.iter().enumerate() {
+            origin.set_lane(lane, ray.origin);
+            direction.set_lane(lane, ray.direction);
+            (t_max.0[lane], from.0[lane]) = (ray.reach(), *id);
+        }
+        let (hit, doubt, id, numbers, surface, any, unsure) = dispatch!(level, s => {
+            let rays = Rays {
+                origin: origin.get(s),
+                direction: direction.get(s),
+                t_max: t_max.get(s),
+                from: from.get(s),
+            };
+            let first = few.intersect(s, &rays);
+            let (any, unsure) = few.occluded(s, &rays, NO_SHAPE);
+            (
+                bits(first.hit),
+                bits(first.doubt),
+                first.id,
+                [first.t, first.u, first.v].map(Row::from),
+                [first.p, first.error, first.n].map(Row3::from),
+                bits(any),
+                bits(unsure),
+            )
+        });
+        for lane in Each(crate::numeric::lanes::ALL_LANES) {
+            let bit = |mask: u32| mask >> lane & 1 == 1;
+            let ray = &rays[lane].0;
+            let plain = tree.first_hit(ray);
+            let same = match &plain {
+                None => !bit(hit),
+                Some(found) => {
+                    let at = found.intersection;
+                    let plain = found.shape.surface(ray, at);
+                    bit(hit)
+                        && id.0[lane] == found.id
+                        && numbers.each_ref().map(|row| row.0[lane].to_bits())
+                            == [at.t, at.u, at.v].map(f32::to_bits)
+                        && surface.each_ref().map(|row| row.lane(lane))
+                            == [plain.p, plain.error, plain.n].map(|v| v.to_array())
+                }
+            };
+            counts[0].add(bit(hit), bit(doubt), same);
+            counts[1].add(bit(any), bit(unsure), bit(any) == plain.is_some());
+        }
+    }
+    counts
+}
+
+impl Count {
+    fn add(&mut self, hit: bool, doubt: bool, same: bool) {
+        self.hit += u32::from(hit);
+        self.doubt += u32::from(doubt);
+        self.missed += u32::from(!hit && !doubt);
+        self.wrong += u32::from(!doubt && !same);
+    }
+}
+
+#[test]
+fn what_is_certain_in_lanes_is_what_one_ray_meets() {
+    for size in [1.0, 555.0, 1e-4, 3e7] {
+        let shapes = room(size);
+        let few = FewShapes::new((0..).zip(&shapes)).expect("few shapes");
+        let all = levels()
+            .into_iter()
+            .map(|level| count(&few, &shapes, size, level, 1500));
+        let all: Vec<[Count; 2]> = all.collect();
+        let [first, any] = &all[0];
+        assert_eq!(
+            (first.wrong, any.wrong),
+            (0, 0),
+            "{size}: {first:?} {any:?}"
+        );
+        // A fifth of the rays are aimed at edges, and an eighth end on a surface.
+        assert!(
+            first.hit > 10_000 && first.missed > 100 && first.doubt > 1000,
+            "{first:?}"
+        );
+        assert!(any.hit > 10_000 && any.doubt < 10_000, "{any:?}");
+        assert!(all.iter().all(|counts| counts == &all[0]), "{all:?}");
+    }
+}
+
+#[test]
+fn few_rays_leave_a_doubt() {
+    let shapes = room(1.0);
+    let few = FewShapes::new((0..).zip(&shapes)).expect("few shapes");
+    let mut doubts = 0;
+    for i in 0..2000 {
+        let mut numbers = numbers(12, i);
+        let (mut origin, mut direction, mut from) =
+            (Row3::default(), Row3::default(), WordRow::default());
+        for lane in 0..LANES {
+            let id = (numbers.one() * 8.0) as usize;
+            let ray =
+                surface_of(&shapes[id], numbers.two()).spawn(warps::sample_sphere(numbers.two()));
+            origin.set_lane(lane, ray.origin);
+            direction.set_lane(lane, ray.direction);
+            from.0[lane] = id as u32;
+        }
+        doubts += dispatch!(Level::new(), s => {
+            let rays = Rays {
+                origin: origin.get(s),
+                direction: direction.get(s),
+                t_max: floats(s, f32::MAX),
+                from: from.get(s),
+            };
+            bits(few.intersect(s, &rays).doubt).count_ones()
+        });
+    }
+    assert!(doubts < 32, "{doubts} of 32000");
+}
+
+#[test]
+fn without_a_bound_on_roundings_lanes_go_wrong() {
+    let shapes = room(555.0);
+    let mut few = FewShapes::new((0..).zip(&shapes)).expect("few shapes");
+    for quad in &mut few.quads {
+        quad.be_rash();
+    }
+    let [first, any] = count(&few, &shapes, 555.0, Level::new(), 1500);
+    assert!(first.wrong > 100 && any.wrong > 10, "{first:?} {any:?}");
+}
+
+#[test]
+fn what_is_not_few_or_is_of_no_common_size_is_for_the_tree() {
+    let one = room(1.0);
+    let many: Vec<Shape> = one.iter().cycle().take(65).copied().collect();
+    assert!(FewShapes::new((0..).zip(&many[..64])).is_some());
+    assert!(FewShapes::new((0..).zip(&many)).is_none());
+    assert!(FewShapes::new((0..).zip(&room(1e10))).is_none());
+    assert!(FewShapes::new((0..).zip(&room(1e-12))).is_none());
+}

@@ -1,0 +1,146 @@
+//! Sixteen paths under way, side by side in memory.
+
+use crate::color::Rgb;
+use crate::geometry::lanes::NO_SHAPE;
+use crate::geometry::{Intersection, Ray, Surface};
+use crate::materials::Event;
+use crate::numeric::lanes::{LANES, Row, Row3, WordRow};
+use crate::scene::lanes::PlainHit;
+
+/// The density of a direction that nobody else could have drawn: one from the eye or after a mirror.
+pub(super) const NO_PDF: f32 = -1.0;
+
+/// Sixteen paths.
+#[derive(Debug, Default)]
+pub(super) struct Paths {
+    /// The number of each one's sample.
+    pub(super) sample: [usize; LANES],
+    pub(super) ray: RayRows,
+    pub(super) beta: Row3,
+    /// Throughput that Russian roulette has not accounted for yet.
+    pub(super) rr_beta: Row3,
+    pub(super) li: Row3,
+    /// The segment that is traced next, or was last.
+    pub(super) depth: WordRow,
+    /// The density with which the ray was drawn, or [`NO_PDF`].
+    pub(super) pdf: Row,
+    /// The surface that drew it, with its normal on the side of the eye.
+    pub(super) left: SurfaceRows,
+    /// What the ray has met.
+    pub(super) here: SurfaceRows,
+    pub(super) t: Row,
+    pub(super) u: Row,
+    pub(super) v: Row,
+    pub(super) part: WordRow,
+    /// The albedo there, where it is diffuse and of one colour.
+    pub(super) albedo: Row3,
+    /// What happened at the first vertex and at the last.
+    pub(super) ends: [Option<[Event; 2]>; LANES],
+    /// A bit for each path whose caustics are traced from the lights.
+    pub(super) on_caustic: u32,
+}
+
+/// Sixteen rays without end.
+#[derive(Debug, Default)]
+pub(super) struct RayRows {
+    pub(super) origin: Row3,
+    pub(super) direction: Row3,
+}
+
+impl RayRows {
+    pub(super) fn lane(&self, lane: usize) -> Ray {
+        Ray::new(
+            self.origin.lane(lane).into(),
+            self.direction.lane(lane).into(),
+        )
+    }
+
+    pub(super) fn set_lane(&mut self, lane: usize, ray: &Ray) {
+        self.origin.set_lane(lane, ray.origin);
+        self.direction.set_lane(lane, ray.direction);
+    }
+}
+
+/// Sixteen points of surfaces.
+#[derive(Debug, Default)]
+pub(super) struct SurfaceRows {
+    pub(super) p: Row3,
+    pub(super) error: Row3,
+    pub(super) n: Row3,
+    pub(super) shape: WordRow,
+}
+
+impl SurfaceRows {
+    pub(super) fn lane(&self, lane: usize) -> Surface {
+        Surface {
+            p: self.p.lane(lane).into(),
+            error: self.error.lane(lane).into(),
+            n: self.n.lane(lane).into(),
+            time: 0.0,
+        }
+    }
+
+    pub(super) fn set_lane(&mut self, lane: usize, surface: &Surface, shape: u32) {
+        self.p.set_lane(lane, surface.p);
+        self.error.set_lane(lane, surface.error);
+        self.n.set_lane(lane, surface.n);
+        self.shape.0[lane] = shape;
+    }
+}
+
+impl Paths {
+    /// Starts the path of a sample.
+    pub(super) fn start(&mut self, lane: usize, sample: usize) {
+        self.sample[lane] = sample;
+        self.beta.set_lane(lane, [1.0; 3]);
+        self.rr_beta.set_lane(lane, [1.0; 3]);
+        self.li.set_lane(lane, [0.0; 3]);
+        self.depth.0[lane] = 1;
+        self.pdf.0[lane] = NO_PDF;
+        self.left.shape.0[lane] = NO_SHAPE;
+        self.ends[lane] = None;
+        self.on_caustic &= !(1 << lane);
+    }
+
+    /// The light that a path has found.
+    pub(super) fn light(&self, lane: usize) -> Rgb {
+        Rgb::from(self.li.lane(lane))
+    }
+
+    /// Adds light that is scattered to the eye along the path.
+    pub(super) fn add(&mut self, lane: usize, li: Rgb) {
+        let sum = self.light(lane) + Rgb::from(self.beta.lane(lane)) * li;
+        self.li.set_lane(lane, sum.channels());
+    }
+
+    /// Notes what happened at a vertex.
+    pub(super) fn note(&mut self, lane: usize, event: Event) {
+        let first = self.ends[lane].map_or(event, |[first, _]| first);
+        self.ends[lane] = Some([first, event]);
+    }
+
+    /// What a path has met.
+    pub(super) fn hit(&self, lane: usize) -> PlainHit {
+        PlainHit {
+            intersection: Intersection {
+                t: self.t.0[lane],
+                u: self.u.0[lane],
+                v: self.v.0[lane],
+                part: self.part.0[lane],
+            },
+            surface: self.here.lane(lane),
+            shape: self.here.shape.0[lane],
+        }
+    }
+
+    /// Stores what a path has met.
+    pub(super) fn set_hit(&mut self, lane: usize, hit: &PlainHit, albedo: Option<[f32; 3]>) {
+        let Intersection { t, u, v, part } = hit.intersection;
+        self.t.0[lane] = t;
+        self.u.0[lane] = u;
+        self.v.0[lane] = v;
+        self.part.0[lane] = part;
+        self.here.set_lane(lane, &hit.surface, hit.shape);
+        self.albedo.set_lane(lane, albedo.unwrap_or_default());
+    }
+}

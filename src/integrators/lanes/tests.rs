@@ -1,0 +1,107 @@
+//! The walk in lanes against the plain one.
+
+use super::*;
+use crate::geometry::Ray;
+use crate::integrators::Integrator;
+use crate::numeric::lanes::levels;
+use crate::render::{Options, Rendered, render};
+use crate::scene::gallery;
+
+/// The path tracer without lanes.
+struct Plain(Path);
+
+impl Integrator for Plain {
+    fn li(&self, tracer: &mut Tracer, ray: &Ray, stream: &Stream) -> Rgb {
+        self.0.li(tracer, ray, stream)
+    }
+
+    fn passes(&self, scene: &Scene) -> Option<&dyn crate::integrators::Passes> {
+        Integrator::passes(&self.0, scene).map(|_| self as &dyn crate::integrators::Passes)
+    }
+}
+
+impl crate::integrators::Passes for Plain {
+    fn prepare<'a>(
+        &'a self,
+        pass: &crate::integrators::Pass<'a>,
+    ) -> Option<crate::integrators::Prepared<'a>> {
+        crate::integrators::Passes::prepare(&self.0, pass)
+    }
+}
+
+/// The path tracer in lanes by some of the processor's instructions.
+struct By(Path, Level);
+
+impl Integrator for By {
+    fn li(&self, tracer: &mut Tracer, ray: &Ray, stream: &Stream) -> Rgb {
+        self.0.li(tracer, ray, stream)
+    }
+
+    fn in_lanes<'s>(&self, scene: &'s Scene) -> Option<PathInLanes<'s>> {
+        Some(PathInLanes::new(&self.0, scene)?.by(self.1))
+    }
+
+    fn passes(&self, scene: &Scene) -> Option<&dyn crate::integrators::Passes> {
+        Integrator::passes(&self.0, scene).map(|_| self as &dyn crate::integrators::Passes)
+    }
+}
+
+impl crate::integrators::Passes for By {
+    fn prepare<'a>(
+        &'a self,
+        pass: &crate::integrators::Pass<'a>,
+    ) -> Option<crate::integrators::Prepared<'a>> {
+        crate::integrators::Passes::prepare(&self.0, pass)
+    }
+}
+
+fn assert_same(a: &Rendered, b: &Rendered, what: &str) {
+    assert!(a.film == b.film, "{what}: another picture");
+    assert_eq!(a.rays, b.rays, "{what}");
+    assert_eq!(a.lights_met, b.lights_met, "{what}");
+}
+
+#[test]
+fn every_scene_is_the_same_picture_in_lanes_by_all_instructions() {
+    let mut in_lanes = 0;
+    for (name, _) in gallery::GALLERY {
+        let scene = gallery::load(name).expect("a scene").sized([18, 14]);
+        let path = Path::new(scene.suggested.max_depth.min(12));
+        for sampler in [Sampler::Independent, Sampler::Sobol] {
+            let options = Options {
+                spp: 9,
+                sampler,
+                ..Options::default()
+            };
+            let plain = render(&scene, &Plain(path), &options, &());
+            in_lanes += usize::from(PathInLanes::new(&path, &scene).is_some());
+            for (level, tile) in levels().into_iter().zip([32, 5, 16, 7]) {
+                let options = Options { tile, ..options };
+                let lanes = render(&scene, &By(path, level), &options, &());
+                assert_same(&lanes, &plain, &format!("{name} {sampler:?} {level:?}"));
+            }
+        }
+    }
+    assert!(in_lanes > 8, "scenes in lanes: {in_lanes} of two samplers");
+}
+
+#[test]
+fn few_samples_depths_and_threads_change_no_bit() {
+    let scene = gallery::load("spheres").expect("a scene").sized([33, 5]);
+    for (max_depth, spp) in [(0, 3), (1, 1), (2, 70), (40, 3)] {
+        let path = Path::new(max_depth);
+        let options = Options {
+            spp,
+            sampler: Sampler::Sobol,
+            ..Options::default()
+        };
+        let plain = render(&scene, &Plain(path), &options, &());
+        for threads in [1, 3] {
+            let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build();
+            let lanes = pool
+                .expect("threads")
+                .install(|| render(&scene, &path, &options, &()));
+            assert_same(&lanes, &plain, &format!("{max_depth} {spp} {threads}"));
+        }
+    }
+}

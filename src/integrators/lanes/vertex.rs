@@ -1,0 +1,249 @@
+//! Vertices on diffuse surfaces of one colour, under a light that is one quad, as vectors.
+
+use super::Walk;
+use super::paths::Paths;
+use crate::geometry::{Ray, Surface};
+use crate::integrators::path::LEAST_SURVIVAL;
+use crate::lights::Incident;
+use crate::lights::lanes::{LightSamples, Points};
+use crate::materials::Event;
+use crate::numeric::lanes::{
+    Each, Floats, Mask, Row, Row3, Vector, bits, floats, mask, offset_origin, sin_cos, words,
+};
+use crate::sampling::stream::Purpose;
+use crate::scene::{RayCounts, Tracer};
+use fearless_simd::prelude::*;
+use std::f32::consts::{FRAC_1_PI, TAU};
+
+/// Local axes around normals: [`Frame`](crate::sampling::frame::Frame).
+#[derive(Clone, Copy)]
+struct Frames<S: Simd> {
+    tangent: Vector<S>,
+    bitangent: Vector<S>,
+    normal: Vector<S>,
+}
+
+impl<S: Simd> Frames<S> {
+    #[inline(always)]
+    fn new(s: S, n: Vector<S>) -> Self {
+        let one = floats(s, 1.0);
+        let sign = one.copysign(n.z);
+        let a = floats(s, -1.0) / (sign + n.z);
+        let b = n.x * n.y * a;
+        Frames {
+            tangent: Vector {
+                x: one + sign * n.x * n.x * a,
+                y: sign * b,
+                z: -sign * n.x,
+            },
+            bitangent: Vector {
+                x: b,
+                y: sign + n.y * n.y * a,
+                z: -n.y,
+            },
+            normal: n,
+        }
+    }
+
+    #[inline(always)]
+    fn to_world(self, w: Vector<S>) -> Vector<S> {
+        self.tangent * w.x + self.bitangent * w.y + self.normal * w.z
+    }
+}
+
+/// The vertices of some lanes.
+#[derive(Clone, Copy)]
+struct Vertices<S: Simd> {
+    lanes: Mask<S>,
+    /// The points, with normals on the side of the eye.
+    from: Points<S>,
+    /// The normal on the front of the surface, and the cosine of the direction to the eye with it.
+    n: Vector<S>,
+    cos_o: Floats<S>,
+    albedo: Vector<S>,
+}
+
+impl<'s, S: Simd> Walk<'_, 's, S> {
+    /// Aims at the light from the vertices of some lanes, and chooses where their paths go on; the lanes that do.
+    #[inline(always)]
+    pub(super) fn scatter_vectors(&mut self, tracer: &mut Tracer<'s>, lanes: u32) -> u32 {
+        if lanes == 0 {
+            return 0;
+        }
+        let (s, paths) = (self.s, &*self.paths);
+        let back = -paths.ray.direction.get(s);
+        let n = paths.here.n.get(s);
+        let cos_o = back.dot(n);
+        let vertices = Vertices {
+            lanes: mask(s, lanes),
+            from: Points {
+                p: paths.here.p.get(s),
+                error: paths.here.error.get(s),
+                n: Vector::select(cos_o.simd_lt(floats(s, 0.0)), -n, n),
+                shape: paths.here.shape.get(s),
+            },
+            n,
+            cos_o,
+            albedo: paths.albedo.get(s),
+        };
+        self.aim(tracer, &vertices);
+        self.go_on(&vertices)
+    }
+
+    /// Adds the light of the lamp that is scattered once, at the vertices: next-event estimation.
+    #[inline(always)]
+    fn aim(&mut self, tracer: &mut Tracer<'s>, at: &Vertices<S>) {
+        let (s, scene) = (self.s, &self.by.scene);
+        let (light, light_shape) = scene.light();
+        let zero = floats(s, 0.0);
+        let depth = self.paths.depth.get(s);
+        let [u, v, ..] = self.streams.four(s, depth, Purpose::LightPoint);
+        let mut sample = light.sample_area(s, &at.from, [u, v]);
+        let near = bits(light.is_near(s, &at.from) & at.lanes);
+        if near != 0 {
+            self.sample_near(tracer, near, &mut sample, at, [u, v]);
+        }
+
+        let cos_i = sample.wi.dot(at.n);
+        let cos = cos_i.abs();
+        let f = at.albedo * FRAC_1_PI;
+        let same_side = (at.cos_o * cos_i).simd_gt(zero);
+        let asks = at.lanes & sample.some & same_side & !f.is_zero(s) & !cos.simd_eq(zero);
+        let mut visible = bits(asks);
+        tracer.count(RayCounts {
+            shadow: visible.count_ones().into(),
+            ..RayCounts::default()
+        });
+        let mut doubt = visible;
+        if let Some(shapes) = scene.shapes() {
+            let (hit, unsure) = shapes.occluded(s, &sample.shadow_rays, light_shape);
+            visible &= !bits(hit);
+            doubt = visible & bits(unsure);
+        }
+        if doubt != 0 {
+            let rays = &sample.shadow_rays;
+            let (origin, direction) = (Row3::from(rays.origin), Row3::from(rays.direction));
+            let t_max = Row::from(rays.t_max);
+            for lane in Each(doubt) {
+                let ray = Ray::new(origin.lane(lane).into(), direction.lane(lane).into());
+                let ray = Ray {
+                    t_max: t_max.0[lane],
+                    ..ray
+                };
+                if scene.occluded(&ray) {
+                    visible &= !(1 << lane);
+                }
+            }
+        }
+
+        // `Heuristic::Power`.
+        let ratio = cos * FRAC_1_PI / sample.pdf;
+        let weight = floats(s, 1.0) / (floats(s, 1.0) + ratio * ratio);
+        let li = Vector::splat(s, light.radiance().channels()) * (weight / sample.pdf);
+        let scattered = self.paths.beta.get(s).times((f * cos).times(li));
+        let sum = self.paths.li.get(s) + scattered;
+        self.paths.li.set_where(s, mask(s, visible), sum);
+    }
+
+    /// Samples the light by solid angle in lanes that are near it, by the plain code.
+    #[inline(always)]
+    fn sample_near(
+        &self,
+        tracer: &Tracer<'s>,
+        near: u32,
+        sample: &mut LightSamples<S>,
+        at: &Vertices<S>,
+        [u, v]: [Floats<S>; 2],
+    ) {
+        let (s, index) = (self.s, self.by.scene.light_index());
+        let (u, v, n) = (Row::from(u), Row::from(v), Row3::from(at.from.n));
+        let mut some = bits(sample.some) & !near;
+        let (mut wi, mut pdf) = (Row3::from(sample.wi), Row::from(sample.pdf));
+        let rays = &mut sample.shadow_rays;
+        let (mut origin, mut direction) = (Row3::from(rays.origin), Row3::from(rays.direction));
+        let mut t_max = Row::from(rays.t_max);
+        for lane in Each(near) {
+            let from = Surface {
+                n: n.lane(lane).into(),
+                ..self.paths.here.lane(lane)
+            };
+            let Some(plain) = tracer.light_sample(index, &from, 0.0, [u.0[lane], v.0[lane]]) else {
+                continue;
+            };
+            let Incident::Radiance { pdf: density, .. } = plain.incident else {
+                continue;
+            };
+            some |= 1 << lane;
+            wi.set_lane(lane, plain.wi);
+            pdf.0[lane] = density;
+            origin.set_lane(lane, plain.shadow_ray.origin);
+            direction.set_lane(lane, plain.shadow_ray.direction);
+            t_max.0[lane] = plain.shadow_ray.t_max;
+        }
+        sample.some = mask(s, some);
+        sample.wi = wi.get(s);
+        sample.pdf = pdf.get(s);
+        rays.origin = origin.get(s);
+        rays.direction = direction.get(s);
+        rays.t_max = t_max.get(s);
+    }
+
+    /// Draws the directions of the next rays by the cosine, and plays Russian roulette; the lanes that go on.
+    #[inline(always)]
+    fn go_on(&mut self, at: &Vertices<S>) -> u32 {
+        let (s, zero) = (self.s, floats(self.s, 0.0));
+        let paths = &mut *self.paths;
+        let depth = paths.depth.get(s);
+        let [u, v, _, left] = self.streams.four(s, depth, Purpose::Direction);
+        // `hemisphere::sample_cosine`.
+        let (sin_phi, cos_phi) = sin_cos(s, v * TAU);
+        let sin = u.sqrt();
+        let up = Vector {
+            x: sin * cos_phi,
+            y: sin * sin_phi,
+            z: (floats(s, 1.0) - u).sqrt(),
+        };
+        let wi = Vector::select(at.cos_o.simd_lt(zero), -up, up);
+        let same_side = (at.cos_o * wi.z).simd_gt(zero);
+        let pdf = same_side.select(wi.z.abs() * FRAC_1_PI, zero);
+        let direction = Frames::new(s, at.n).to_world(wi).normalize();
+        let origin = offset_origin(s, at.from.p, at.from.error, at.n, direction);
+
+        let mut on = at.lanes & !at.cos_o.simd_eq(zero);
+        let mut beta = paths.beta.get(s).times(at.albedo);
+        let mut rr_beta = paths.rr_beta.get(s).times(at.albedo);
+        let plays = depth.simd_ge(words(s, self.by.path.roulette_from));
+        if bits(plays & on) != 0 {
+            let (least, one) = (floats(s, LEAST_SURVIVAL), floats(s, 1.0));
+            let q = rr_beta.x.max(rr_beta.y).max(rr_beta.z);
+            let q = q.simd_lt(least).select(least, q);
+            let q = q.simd_gt(one).select(one, q);
+            on = on & (!plays | left.simd_lt(q));
+            beta = Vector::select(plays, beta / q, beta);
+            rr_beta = Vector::select(plays, rr_beta / q, rr_beta);
+        }
+        paths.beta.set_where(s, on, beta);
+        paths.rr_beta.set_where(s, on, rr_beta);
+        paths.ray.origin.set_where(s, on, origin);
+        paths.ray.direction.set_where(s, on, direction);
+        paths.left.p.set_where(s, on, at.from.p);
+        paths.left.error.set_where(s, on, at.from.error);
+        paths.left.n.set_where(s, on, at.from.n);
+        Self::leave(s, paths, on, pdf);
+        bits(on)
+    }
+
+    /// Notes what the next rays were drawn by.
+    #[inline(always)]
+    fn leave(s: S, paths: &mut Paths, on: Mask<S>, pdf: Floats<S>) {
+        let old = paths.pdf.get(s);
+        paths.pdf.set(on.select(pdf, old));
+        let (old, shape) = (paths.left.shape.get(s), paths.here.shape.get(s));
+        paths.left.shape.set(on.select(shape, old));
+        let depth = paths.depth.get(s);
+        paths.depth.set(on.select(depth + words(s, 1), depth));
+        for lane in Each(bits(on)) {
+            paths.note(lane, Event::Diffuse);
+        }
+    }
+}

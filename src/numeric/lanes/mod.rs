@@ -1,0 +1,138 @@
+//! Sixteen numbers side by side, one for each path.
+//!
+//! Each operation rounds as its plain twin does, so what is computed in lanes is what the plain code computes,
+//! bit for bit, whatever vectors the processor has. So nothing is fused, no reciprocal is approximate, and where
+//! a NaN or a tie decides, a comparison and a choice stand in place of a minimum.
+//!
+//! All of it is inlined into one function for each set of instructions. Closures are not, and lose the
+//! instructions: there are none in this code.
+
+mod functions;
+mod vector;
+mod wide;
+
+pub use functions::{offset_origin, scale_and_direction, sin_cos};
+pub use vector::{Row3, Vector};
+pub use wide::{WideVector, Wides, Words64};
+
+use fearless_simd::prelude::*;
+use fearless_simd::{f32x16, mask32x16, u32x16};
+
+/// Paths side by side.
+pub const LANES: usize = 16;
+/// The bits of all lanes.
+pub const ALL_LANES: u32 = 0xffff;
+
+/// One `f32` for each lane.
+pub type Floats<S> = f32x16<S>;
+/// One `u32` for each lane.
+pub type Words<S> = u32x16<S>;
+/// Some of the lanes.
+pub type Mask<S> = mask32x16<S>;
+
+/// One `f32` for each lane, in memory.
+#[derive(Clone, Copy, Debug, Default)]
+#[repr(align(64))]
+pub struct Row(pub [f32; LANES]);
+
+/// One `u32` for each lane, in memory.
+#[derive(Clone, Copy, Debug, Default)]
+#[repr(align(64))]
+pub struct WordRow(pub [u32; LANES]);
+
+impl Row {
+    /// The numbers as a vector.
+    #[inline(always)]
+    pub fn get<S: Simd>(&self, s: S) -> Floats<S> {
+        Floats::from_slice(s, &self.0)
+    }
+
+    /// Stores a vector.
+    #[inline(always)]
+    pub fn set<S: Simd>(&mut self, x: Floats<S>) {
+        x.store_slice(&mut self.0);
+    }
+}
+
+impl WordRow {
+    /// The numbers as a vector.
+    #[inline(always)]
+    pub fn get<S: Simd>(&self, s: S) -> Words<S> {
+        Words::from_slice(s, &self.0)
+    }
+
+    /// Stores a vector.
+    #[inline(always)]
+    pub fn set<S: Simd>(&mut self, x: Words<S>) {
+        x.store_slice(&mut self.0);
+    }
+}
+
+impl<S: Simd> From<Floats<S>> for Row {
+    #[inline(always)]
+    fn from(x: Floats<S>) -> Row {
+        let mut row = Row::default();
+        row.set(x);
+        row
+    }
+}
+
+/// The same number in every lane.
+#[inline(always)]
+pub fn floats<S: Simd>(s: S, x: f32) -> Floats<S> {
+    Floats::splat(s, x)
+}
+
+/// The same number in every lane.
+#[inline(always)]
+pub fn words<S: Simd>(s: S, x: u32) -> Words<S> {
+    Words::splat(s, x)
+}
+
+/// The lanes whose bits are set.
+#[inline(always)]
+pub fn mask<S: Simd>(s: S, bits: u32) -> Mask<S> {
+    Mask::from_bitmask(s, u64::from(bits))
+}
+
+/// A bit for each lane of a mask.
+#[inline(always)]
+pub fn bits<S: Simd>(mask: Mask<S>) -> u32 {
+    mask.to_bitmask() as u32
+}
+
+/// The lanes whose bits are set, one by one.
+#[derive(Clone, Copy, Debug)]
+pub struct Each(pub u32);
+
+impl Iterator for Each {
+    type Item = usize;
+
+    #[inline(always)]
+    fn next(&mut self) -> Option<usize> {
+        if self.0 == 0 {
+            return None;
+        }
+        let lane = self.0.trailing_zeros() as usize % LANES;
+        self.0 &= self.0 - 1;
+        Some(lane)
+    }
+}
+
+/// The instructions that this processor has, widest first, that code in lanes is compiled for.
+#[cfg(test)]
+pub(crate) fn levels() -> Vec<fearless_simd::Level> {
+    use fearless_simd::Level;
+    let best = Level::new();
+    #[cfg(target_arch = "x86_64")]
+    let others = [
+        best.as_avx2().map(Level::Avx2),
+        best.as_sse4_2().map(Level::Sse4_2),
+        best.as_sse2().map(Level::Sse2),
+    ];
+    #[cfg(not(target_arch = "x86_64"))]
+    let others = [None];
+    std::iter::once(best)
+        .chain(others.into_iter().flatten())
+        .collect()
+}

@@ -1,0 +1,223 @@
+//! The random numbers of sixteen samples at once: those of [`Stream`], bit for bit.
+
+use super::stream::{LAST_EVEN_PLACE, Purpose, Sampler, Stream};
+use crate::numeric::lanes::{ALL_LANES, Floats, LANES, Mask, WordRow, Words, Words64, bits, words};
+use fearless_simd::prelude::*;
+use sobol_burley::parts::sobol_rev;
+
+/// Bits of a sample's number that Sobol' points look at, shuffled.
+const INDEX_BITS: u32 = 16;
+
+/// The streams of sixteen samples by one sampler, none of whose numbers are fixed.
+#[derive(Clone, Debug)]
+pub struct Streams {
+    key: [u64; LANES],
+    index: WordRow,
+    sampler: Sampler,
+    /// For each bit of the index the direction numbers of four dimensions, their bits reversed.
+    directions: [[u32; 4]; INDEX_BITS as usize],
+}
+
+impl Streams {
+    /// Streams that are still to be set.
+    pub fn new(sampler: Sampler) -> Self {
+        let direction = |bit: usize| [0, 1, 2, 3].map(|d| sobol_rev(1 << (31 - bit), d));
+        Streams {
+            key: [0; LANES],
+            index: WordRow::default(),
+            sampler,
+            directions: std::array::from_fn(direction),
+        }
+    }
+
+    /// Sets that of one lane.
+    pub fn set(&mut self, lane: usize, stream: &Stream) {
+        debug_assert!(stream.sampler == self.sampler && stream.fixed == 0);
+        self.key[lane] = stream.key;
+        self.index.0[lane] = stream.index;
+    }
+
+    /// That of one lane.
+    pub fn lane(&self, lane: usize) -> Stream {
+        Stream {
+            key: self.key[lane],
+            index: self.index.0[lane],
+            sampler: self.sampler,
+            fixed: 0,
+        }
+    }
+
+    /// The first four numbers for `purpose` at the place of each lane: [`Stream::at`].
+    #[inline(always)]
+    pub fn four<S: Simd>(&self, s: S, place: Words<S>, purpose: Purpose) -> [Floats<S>; 4] {
+        let key = Words64::load(s, &self.key);
+        let what = (purpose as u64).wrapping_mul(0x9e37_79b9_7f4a_7c15);
+        let state = mix(mix(key ^ Words64::from(place)) ^ Words64::splat(s, what));
+        let index = self.index.get(s);
+        let early: Mask<S> = place.simd_le(words(s, LAST_EVEN_PLACE as u32));
+        let even = match self.sampler {
+            Sampler::Independent => 0,
+            Sampler::Sobol => bits(early),
+        };
+        if even == 0 {
+            return independent(s, state ^ Words64::from(index));
+        }
+        let points = self.sobol(s, index, state.low());
+        if even == ALL_LANES {
+            return points;
+        }
+        let others = independent(s, state ^ Words64::from(index));
+        let mut numbers = points;
+        for (number, other) in numbers.iter_mut().zip(others) {
+            *number = early.select(*number, other);
+        }
+        numbers
+    }
+
+    /// `sobol_burley::sample_4d` of dimensions 0 to 3.
+    ///
+    /// Source: Burley, Practical Hash-based Owen Scrambling (JCGT 9(4), 2020).
+    #[inline(always)]
+    fn sobol<S: Simd>(&self, s: S, index: Words<S>, seed: Words<S>) -> [Floats<S>; 4] {
+        let by = hash(s, seed ^ words(s, 0x79c6_8e4a));
+        let shuffled = owen_scramble(s, reverse_bits(s, index), by);
+        let mut sobol = [words(s, 0); 4];
+        for (bit, directions) in self.directions.iter().enumerate() {
+            // All ones where the index has the bit.
+            let has = words(s, 0) - ((shuffled >> (31 - bit as u32)) & words(s, 1));
+            for (x, direction) in sobol.iter_mut().zip(directions) {
+                *x = *x ^ (has & words(s, *direction));
+            }
+        }
+        let seed = seed * words(s, 0x9c8f_2d3b);
+        let salts = [0x912f_69ba, 0x174f_18ab, 0x691e_72ca, 0xb40c_c1b8];
+        let mut point = [Floats::splat(s, 0.0); 4];
+        for ((u, x), salt) in point.iter_mut().zip(sobol).zip(salts) {
+            let x = owen_scramble(s, x, hash(s, seed ^ words(s, salt)));
+            *u = (reverse_bits(s, x) >> 9).to_float::<Floats<S>>() * (1.0 / 8_388_608.0);
+        }
+        point
+    }
+}
+
+/// `stream::mix`.
+#[inline(always)]
+fn mix<S: Simd>(z: Words64<S>) -> Words64<S> {
+    let z = (z ^ (z >> 30)) * 0xbf58_476d_1ce4_e5b9;
+    let z = (z ^ (z >> 27)) * 0x94d0_49bb_1331_11eb;
+    z ^ (z >> 31)
+}
+
+/// Four numbers of `Pcg32::new(state, 0)`.
+///
+/// Source: O'Neill, PCG: A Family of Simple Fast Space-Efficient Statistically Good Algorithms for Random Number
+/// Generation (Harvey Mudd College HMC-CS-2014-0905, 2014).
+#[inline(always)]
+fn independent<S: Simd>(s: S, state: Words64<S>) -> [Floats<S>; 4] {
+    let mut state = step(state + 1);
+    let mut numbers = [Floats::splat(s, 0.0); 4];
+    for number in &mut numbers {
+        let x = ((state >> 18) ^ state) >> 27;
+        let turn = (state >> 59).low();
+        // Rotated to the right. By none it is itself, for a shift to the left by 32 is one by 0 here.
+        let back = (words(s, 32) - turn) & words(s, 31);
+        let x = (x.low() >> turn) | (x.low() << back);
+        *number = (x >> 8).to_float::<Floats<S>>() * (1.0 / 16_777_216.0);
+        state = step(state);
+    }
+    numbers
+}
+
+#[inline(always)]
+fn step<S: Simd>(state: Words64<S>) -> Words64<S> {
+    state * 6_364_136_223_846_793_005 + 1
+}
+
+/// `sobol_burley::parts::owen_scramble_rev`.
+#[inline(always)]
+fn owen_scramble<S: Simd>(s: S, n: Words<S>, by: Words<S>) -> Words<S> {
+    let n = n ^ n * words(s, 0x3d20_adea);
+    let n = (n + by) * ((by >> 16) | words(s, 1));
+    let n = n ^ n * words(s, 0x0552_6c56);
+    n ^ n * words(s, 0x53a2_2864)
+}
+
+/// `sobol_burley::parts::hash`.
+#[inline(always)]
+fn hash<S: Simd>(s: S, n: Words<S>) -> Words<S> {
+    let n = n ^ words(s, 0xe6fe_3beb);
+    let n = (n ^ (n >> 16)) * words(s, 0x7feb_352d);
+    let n = (n ^ (n >> 15)) * words(s, 0x846c_a68b);
+    n ^ (n >> 16)
+}
+
+/// `u32::reverse_bits`.
+#[inline(always)]
+fn reverse_bits<S: Simd>(s: S, x: Words<S>) -> Words<S> {
+    let x = swap(s, x, 1, 0x5555_5555);
+    let x = swap(s, x, 2, 0x3333_3333);
+    let x = swap(s, x, 4, 0x0f0f_0f0f);
+    let x = swap(s, x, 8, 0x00ff_00ff);
+    (x >> 16) | (x << 16)
+}
+
+/// Swaps neighbouring groups of so many bits, of which `low` masks the lower ones.
+#[inline(always)]
+fn swap<S: Simd>(s: S, x: Words<S>, by: u32, low: u32) -> Words<S> {
+    ((x >> by) & words(s, low)) | ((x & words(s, low)) << by)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::numeric::lanes::{Row, levels};
+    use fearless_simd::dispatch;
+
+    #[test]
+    fn numbers_are_those_of_the_plain_streams() {
+        for (sampler, level) in [Sampler::Independent, Sampler::Sobol]
+            .into_iter()
+            .flat_map(|sampler| levels().into_iter().map(move |level| (sampler, level)))
+        {
+            for round in 0..200 {
+                let mut streams = Streams::new(sampler);
+                let plain: [Stream; LANES] = std::array::from_fn(|lane| {
+                    Stream::with(
+                        sampler,
+                        7 << (round % 60),
+                        round * 31 + lane as u32,
+                        round * 5 + lane as u32,
+                    )
+                });
+                for (lane, stream) in plain.iter().enumerate() {
+                    streams.set(lane, stream);
+                    assert_eq!(
+                        streams.lane(lane).at(1, Purpose::Lens).one(),
+                        stream.at(1, Purpose::Lens).one()
+                    );
+                }
+                // Early places, late ones, and both side by side.
+                let places = WordRow(std::array::from_fn(|lane| match round % 3 {
+                    0 => 1,
+                    1 => 9,
+                    _ => lane as u32 % 7,
+                }));
+                for purpose in [Purpose::Pixel, Purpose::LightPoint, Purpose::Direction] {
+                    let rows = dispatch!(level, s => {
+                        streams.four(s, places.get(s), purpose).map(Row::from)
+                    });
+                    for (lane, stream) in plain.iter().enumerate() {
+                        let mut numbers = stream.at(u64::from(places.0[lane]), purpose);
+                        for row in &rows {
+                            assert_eq!(
+                                row.0[lane],
+                                numbers.one(),
+                                "{sampler:?} {level:?} {purpose:?}"
+                            );
+                        }
+                    }
+                }
+            }
+        }
+    }
+}

@@ -1,0 +1,138 @@
+//! A scene as sixteen paths at once look at it.
+
+use super::interaction::{Hit, Interaction};
+use super::{Object, Scene};
+use crate::geometry::lanes::{Column, FewShapes, MOST_SHAPES, NO_SHAPE};
+use crate::geometry::{Intersection, Ray, Surface};
+use crate::lights::Light;
+use crate::lights::lanes::QuadInLanes;
+use crate::materials::Bsdf;
+
+/// What of a scene is looked at in lanes: its shapes, where they are few, and its light, which is one quad.
+///
+/// All else goes lane by lane through the same code as a single path.
+#[derive(Clone, Debug)]
+pub struct SceneInLanes<'s> {
+    scene: &'s Scene,
+    shapes: Option<FewShapes>,
+    albedo: [Column; 3],
+    light: QuadInLanes,
+    light_shape: u32,
+    light_index: usize,
+}
+
+/// What a single ray hits.
+#[derive(Clone, Copy, Debug)]
+pub struct PlainHit {
+    /// Where on the ray and on the shape.
+    pub intersection: Intersection,
+    /// The point.
+    pub surface: Surface,
+    /// The number of the shape.
+    pub shape: u32,
+}
+
+impl<'s> SceneInLanes<'s> {
+    /// `None` where paths had better be traced one by one: where something moves, is an instance of a mesh or lies
+    /// within rounding of a light; where not one quad is all the light there is, or nothing is diffuse and of one
+    /// colour; and where nothing shines.
+    pub fn new(scene: &'s Scene) -> Option<Self> {
+        let still = scene.transformed.is_none() && scene.contacts.is_none();
+        let only = scene.light_choice.only()?;
+        let Light::Quad(light) = scene.lights.get(only)? else {
+            return None;
+        };
+        let untextured = scene.textured_lights.is_empty();
+        let diffuse = scene
+            .objects
+            .iter()
+            .any(|object| diffuse_albedo(object).is_some());
+        if !(still && untextured && diffuse) || scene.is_dark() {
+            return None;
+        }
+        let shines = |object: &u32| scene.objects[*object as usize].light == Some(only as u32);
+        let light_shape = scene.object_of_shape.iter().position(shines)?;
+        let mut albedo = [[0.0; MOST_SHAPES]; 3];
+        for (at, object) in scene.object_of_shape.iter().take(MOST_SHAPES).enumerate() {
+            let own = diffuse_albedo(&scene.objects[*object as usize]).unwrap_or_default();
+            for (column, channel) in albedo.iter_mut().zip(own) {
+                column[at] = channel;
+            }
+        }
+        Some(SceneInLanes {
+            scene,
+            shapes: FewShapes::new(scene.bvh.shapes()),
+            albedo,
+            light: QuadInLanes::new(light),
+            light_index: only,
+            light_shape: u32::try_from(light_shape).unwrap_or(NO_SHAPE),
+        })
+    }
+
+    /// The scene.
+    pub fn scene(&self) -> &'s Scene {
+        self.scene
+    }
+
+    /// Its shapes, where they are few.
+    pub fn shapes(&self) -> Option<&FewShapes> {
+        self.shapes.as_ref()
+    }
+
+    /// The albedo of each of few shapes that is diffuse and of one colour; black for others.
+    pub fn albedo(&self) -> &[Column; 3] {
+        &self.albedo
+    }
+
+    /// Its light, and the number of the light's shape.
+    pub fn light(&self) -> (&QuadInLanes, u32) {
+        (&self.light, self.light_shape)
+    }
+
+    /// The index of its light in [`Scene::lights`].
+    pub fn light_index(&self) -> usize {
+        self.light_index
+    }
+
+    /// The object that a shape belongs to.
+    pub fn object(&self, shape: u32) -> &'s Object {
+        &self.scene.objects[self.scene.object_of_shape[shape as usize] as usize]
+    }
+
+    /// What a single ray hits first.
+    pub fn first_hit(&self, ray: &Ray) -> Option<PlainHit> {
+        self.scene.bvh.first_hit(ray).map(|found| PlainHit {
+            intersection: found.intersection,
+            surface: found.shape.surface(ray, found.intersection),
+            shape: found.id,
+        })
+    }
+
+    /// True where something stands in the way of a single ray.
+    pub fn occluded(&self, ray: &Ray) -> bool {
+        self.scene.bvh.occluded(ray)
+    }
+
+    /// All that there is to know of a hit.
+    pub fn interaction(&self, ray: &Ray, hit: &PlainHit) -> Interaction<'s> {
+        let hit = Hit {
+            intersection: hit.intersection,
+            surface: hit.surface,
+            object: self.scene.object_of_shape[hit.shape as usize],
+            shape: hit.shape,
+        };
+        Interaction::new(&self.scene.objects, ray, &hit)
+    }
+}
+
+/// The albedo of what is diffuse and of one colour, and not black.
+pub fn diffuse_albedo(object: &Object) -> Option<[f32; 3]> {
+    let material = object
+        .material
+        .as_ref()
+        .filter(|material| !material.is_textured())?;
+    match material.brightest() {
+        Bsdf::Lambert(lambert) if !lambert.albedo.is_black() => Some(lambert.albedo.channels()),
+        _ => None,
+    }
+}
