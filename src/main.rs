@@ -5,8 +5,6 @@ use halfdisk::lab::chapter;
 use std::process::ExitCode;
 
 fn main() -> ExitCode {
-    match chapter::begin() {
-        Ok(()) => Command::start(),
-        Err(code) => code,
-    }
+    chapter::begin();
+    Command::start()
 }

@@ -91,8 +91,6 @@ enum Action {
 
 impl Command {
     /// Reads the arguments, and does what they ask.
-    // Not compiled into its caller, which looks at the processor first.
-    #[inline(never)]
     pub fn start() -> ExitCode {
         match chapter::arguments::<Command>() {
             Ok(command) => command.run(),

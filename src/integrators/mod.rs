@@ -152,6 +152,10 @@ impl<I: Integrator + ?Sized> Integrator for Box<I> {
         (**self).li(tracer, ray, stream)
     }
 
+    fn in_lanes<'s>(&self, scene: &'s Scene) -> Option<PathInLanes<'s>> {
+        (**self).in_lanes(scene)
+    }
+
     fn passes(&self, scene: &Scene) -> Option<&dyn Passes> {
         (**self).passes(scene)
     }

@@ -7,6 +7,7 @@ mod packet;
 use super::{Aabb, Intersection, PreparedRay, Primitive, Ray, Shape};
 use arrayvec::ArrayVec;
 use build::{MAX_DEPTH, build};
+use fearless_simd::{Level, Simd, dispatch};
 use node::{Child, Link, Node, RayLanes, WIDTH};
 use packet::Packet;
 
@@ -31,6 +32,8 @@ pub struct Bvh<P = Shape> {
     shapes: Vec<P>,
     /// For each of `shapes`, its index in the list the tree was built from.
     ids: Vec<u32>,
+    /// The processor's instructions for eight boxes at once.
+    level: Level,
 }
 
 /// What a ray meets first.
@@ -76,6 +79,7 @@ impl<P: Primitive> Bvh<P> {
             packets: tree.packets,
             shapes: ids.iter().map(|id| shapes[*id as usize].clone()).collect(),
             ids,
+            level: Level::new(),
         }
     }
 
@@ -93,8 +97,13 @@ impl<P: Primitive> Bvh<P> {
     /// The first crossing of the ray, at its moment; of several shapes at the same distance the one
     /// with the lowest id, whatever the order of the tree.
     pub fn first_hit(&self, ray: &Ray) -> Option<ClosestHit<'_, P>> {
+        dispatch!(self.level, s => self.find_first(s, ray))
+    }
+
+    #[inline(always)]
+    fn find_first<S: Simd>(&self, s: S, ray: &Ray) -> Option<ClosestHit<'_, P>> {
         let mut best: Option<(Intersection, usize)> = None;
-        self.visit(ray, |at, intersection| {
+        self.visit(s, ray, |at, intersection| {
             if best.is_none_or(|(b, i)| intersection.t < b.t || self.ids[at] < self.ids[i]) {
                 best = Some((intersection, at));
             }
@@ -109,8 +118,13 @@ impl<P: Primitive> Bvh<P> {
 
     /// True where the ray crosses anything at all, at its moment.
     pub fn occluded(&self, ray: &Ray) -> bool {
+        dispatch!(self.level, s => self.find_any(s, ray))
+    }
+
+    #[inline(always)]
+    fn find_any<S: Simd>(&self, s: S, ray: &Ray) -> bool {
         let mut hit = false;
-        self.visit(ray, |_, _| {
+        self.visit(s, ray, |_, _| {
             hit = true;
             true
         });
@@ -120,12 +134,12 @@ impl<P: Primitive> Bvh<P> {
     /// Calls `meet` with every crossing that may be the first, and the place of its shape, nearest
     /// boxes first, until it answers true.
     #[inline(always)]
-    fn visit(&self, ray: &Ray, mut meet: impl FnMut(usize, Intersection) -> bool) {
+    fn visit<S: Simd>(&self, s: S, ray: &Ray, mut meet: impl FnMut(usize, Intersection) -> bool) {
         if self.nodes.is_empty() || !ray.is_valid() {
             return;
         }
         let prepared = PreparedRay::from(ray);
-        let lanes_of_ray = RayLanes::from(&prepared);
+        let lanes_of_ray = RayLanes::new(s, &prepared);
         let mut t_max = ray.reach();
         let mut stack = ArrayVec::<StackEntry, STACK_SIZE>::new();
         let mut next = StackEntry::new(0.0, Child::Node(0).into());
@@ -144,7 +158,7 @@ impl<P: Primitive> Bvh<P> {
                     }
                     Child::Packet(at) => {
                         let packet = &self.packets[at];
-                        for lane in lanes(packet.candidates(&prepared)) {
+                        for lane in lanes(packet.candidates(s, &prepared)) {
                             if let Some(intersection) =
                                 packet.triangle(lane).intersect(&prepared, t_max)
                             {
@@ -157,7 +171,7 @@ impl<P: Primitive> Bvh<P> {
                     }
                     Child::Node(at) => {
                         let node = &self.nodes[at];
-                        let (entries, met) = node.entries(&lanes_of_ray, t_max);
+                        let (entries, met) = node.entries(s, &lanes_of_ray, t_max);
                         let base = stack.len();
                         for lane in lanes(met) {
                             // The nearest is the last to be pushed, and the first to be visited.

@@ -2,7 +2,8 @@
 
 use crate::geometry::aabb::EARLIER;
 use crate::geometry::{Aabb, PreparedRay};
-use wide::f32x8;
+use fearless_simd::f32x8;
+use fearless_simd::prelude::*;
 
 /// Children of a node.
 pub(super) const WIDTH: usize = 8;
@@ -53,7 +54,7 @@ impl From<Child> for Link {
 #[derive(Clone, Debug)]
 pub(super) struct Node {
     /// For each axis the lower faces of all boxes, then the upper ones.
-    faces: [[f32x8; 2]; 3],
+    faces: [[Eight; 2]; 3],
     /// What is in each box.
     pub(super) links: [Link; WIDTH],
 }
@@ -68,63 +69,74 @@ impl Node {
             links[lane] = (*child).into();
         }
         let faces = [0, 1, 2]
-            .map(|axis| [boxes.map(|b| b.min[axis]), boxes.map(|b| b.max[axis])].map(f32x8::new));
+            .map(|axis| [boxes.map(|b| b.min[axis]), boxes.map(|b| b.max[axis])].map(Eight));
         Node { faces, links }
     }
 
     /// [`Aabb::entry`] of all boxes at once, bit for bit, and a mask of those that are entered.
     #[inline(always)]
-    pub(super) fn entries(&self, ray: &RayLanes, t_max: f32) -> ([f32; WIDTH], u32) {
-        let mut t0 = f32x8::ZERO;
-        let mut t1 = f32x8::splat(t_max);
-        for axis in 0..3 {
+    pub(super) fn entries<S: Simd>(
+        &self,
+        s: S,
+        ray: &RayLanes<S>,
+        t_max: f32,
+    ) -> ([f32; WIDTH], u32) {
+        let mut t0 = f32x8::splat(s, 0.0);
+        let mut t1 = f32x8::splat(s, t_max);
+        for (axis, faces) in self.faces.iter().enumerate() {
             let (origin, inverse) = (ray.origin[axis], ray.inverse[axis]);
             let backwards = ray.backwards[axis];
-            let near = (self.faces[axis][usize::from(backwards)] - origin) * inverse;
-            let far = (self.faces[axis][usize::from(!backwards)] - origin) * inverse;
-            t0 = larger(near, t0);
-            t1 = smaller(far, t1);
+            let near = (faces[usize::from(backwards)].get(s) - origin) * inverse;
+            let far = (faces[usize::from(!backwards)].get(s) - origin) * inverse;
+            // A NaN changes nothing.
+            t0 = near.simd_gt(t0).select(near, t0);
+            t1 = far.simd_lt(t1).select(far, t1);
         }
-        let entries = t0 * f32x8::splat(EARLIER);
-        (entries.to_array(), entries.simd_le(t1).to_bitmask())
+        let entries = t0 * EARLIER;
+        let mut row = [0.0; WIDTH];
+        entries.store_slice(&mut row);
+        (row, entries.simd_le(t1).to_bitmask() as u32)
+    }
+}
+
+/// Eight numbers side by side in memory.
+#[derive(Clone, Copy, Debug)]
+#[repr(align(32))]
+pub(super) struct Eight(pub(super) [f32; WIDTH]);
+
+impl Eight {
+    /// The numbers as a vector.
+    #[inline(always)]
+    pub(super) fn get<S: Simd>(&self, s: S) -> f32x8<S> {
+        f32x8::from_slice(s, &self.0)
     }
 }
 
 /// What all box tests of a ray have in common, in every lane.
-pub(super) struct RayLanes {
-    origin: [f32x8; 3],
-    inverse: [f32x8; 3],
+pub(super) struct RayLanes<S: Simd> {
+    origin: [f32x8<S>; 3],
+    inverse: [f32x8<S>; 3],
     backwards: [bool; 3],
 }
 
-impl From<&PreparedRay> for RayLanes {
-    fn from(ray: &PreparedRay) -> Self {
+impl<S: Simd> RayLanes<S> {
+    #[inline(always)]
+    pub(super) fn new(s: S, ray: &PreparedRay) -> Self {
+        let [ox, oy, oz] = ray.origin.to_array();
+        let [ix, iy, iz] = ray.inverse.to_array();
         RayLanes {
-            origin: ray.origin.to_array().map(f32x8::splat),
-            inverse: ray.inverse.to_array().map(f32x8::splat),
-            backwards: ray.inverse.to_array().map(|x| x < 0.0),
+            origin: [
+                f32x8::splat(s, ox),
+                f32x8::splat(s, oy),
+                f32x8::splat(s, oz),
+            ],
+            inverse: [
+                f32x8::splat(s, ix),
+                f32x8::splat(s, iy),
+                f32x8::splat(s, iz),
+            ],
+            backwards: [ix < 0.0, iy < 0.0, iz < 0.0],
         }
-    }
-}
-
-/// In each lane `new` where it is larger than `old`, else `old`, also where `new` is NaN.
-#[inline(always)]
-fn larger(new: f32x8, old: f32x8) -> f32x8 {
-    if cfg!(target_arch = "x86_64") {
-        // One instruction, which gives its second operand where there is a NaN.
-        new.fast_max(old)
-    } else {
-        new.simd_gt(old).select(new, old)
-    }
-}
-
-/// In each lane `new` where it is smaller than `old`, else `old`, also where `new` is NaN.
-#[inline(always)]
-fn smaller(new: f32x8, old: f32x8) -> f32x8 {
-    if cfg!(target_arch = "x86_64") {
-        new.fast_min(old)
-    } else {
-        new.simd_lt(old).select(new, old)
     }
 }
 
@@ -133,6 +145,7 @@ mod tests {
     use super::*;
     use crate::geometry::Ray;
     use crate::sampling::stream::{Purpose, Stream};
+    use fearless_simd::{Level, dispatch};
     use glam::Vec3;
 
     #[test]
@@ -152,8 +165,10 @@ mod tests {
                 continue;
             }
             let ray = PreparedRay::from(&ray);
-            let (entries, met) =
-                Node::new(&boxes.map(|b| (b, Child::Shape(0)))).entries(&(&ray).into(), f32::MAX);
+            let node = Node::new(&boxes.map(|b| (b, Child::Shape(0))));
+            let (entries, met) = dispatch!(Level::new(), s => {
+                node.entries(s, &RayLanes::new(s, &ray), f32::MAX)
+            });
             assert_eq!(met >> 7, 0, "the empty box");
             for (lane, b) in boxes.iter().enumerate() {
                 let alone = b.entry(&ray, f32::MAX).map(f32::to_bits);

@@ -1,15 +1,16 @@
 //! Eight triangles side by side, of which a glance leaves one or two to be tested.
 
-use super::node::WIDTH;
+use super::node::{Eight, WIDTH};
 use crate::geometry::{PreparedRay, Triangle};
+use fearless_simd::prelude::*;
+use fearless_simd::{f32x8, mask32x8};
 use glam::Vec3;
-use wide::f32x8;
 
 /// Up to eight triangles that follow each other in the order of the tree.
 #[derive(Clone, Debug)]
 pub(super) struct Packet {
     /// The three corners, for each the three coordinates, for each the triangles.
-    corners: [[f32x8; 3]; 3],
+    corners: [[Eight; 3]; 3],
     /// The place of the first triangle in the order of the tree.
     pub(super) first: u32,
     /// A bit for each triangle.
@@ -25,7 +26,7 @@ impl Packet {
                 .map_or([Vec3::ZERO; 3], |t| [t.a, t.b, t.c])
         };
         let all: [[Vec3; 3]; WIDTH] = std::array::from_fn(lane);
-        let lanes = |corner: usize, axis: usize| f32x8::new(all.map(|t| t[corner][axis]));
+        let lanes = |corner: usize, axis: usize| Eight(all.map(|t| t[corner][axis]));
         Packet {
             corners: [0, 1, 2].map(|corner| [0, 1, 2].map(|axis| lanes(corner, axis))),
             first: first as u32,
@@ -36,13 +37,12 @@ impl Packet {
     /// One of the triangles.
     #[inline(always)]
     pub(super) fn triangle(&self, lane: usize) -> Triangle {
-        let corner = |of: &[f32x8; 3]| {
-            let at = |axis: usize| of[axis].as_array()[lane];
-            Vec3::new(at(0), at(1), at(2))
-        };
         let [a, b, c] = &self.corners;
-        let (a, b, c) = (corner(a), corner(b), corner(c));
-        Triangle { a, b, c }
+        Triangle {
+            a: corner(a, lane),
+            b: corner(b, lane),
+            c: corner(c, lane),
+        }
     }
 
     /// A mask of the triangles that the ray may cross; certainly not the others.
@@ -52,26 +52,33 @@ impl Packet {
     /// rounded products differ, the exact ones differ in the same sense. A triangle is out where
     /// one edge has the ray on its left and another on its right; NaN is on neither side.
     #[inline(always)]
-    pub(super) fn candidates(&self, ray: &PreparedRay) -> u32 {
-        let (sx, sy) = (f32x8::splat(ray.shear[0]), f32x8::splat(ray.shear[1]));
+    pub(super) fn candidates<S: Simd>(&self, s: S, ray: &PreparedRay) -> u32 {
         let [x, y, z] = ray.axes;
-        let lanes = |axis: usize| f32x8::splat(ray.origin[axis]);
-        let (ox, oy, oz) = (lanes(x), lanes(y), lanes(z));
-        let mut corners = [(f32x8::ZERO, f32x8::ZERO); 3];
+        let (ox, oy, oz) = (ray.origin[x], ray.origin[y], ray.origin[z]);
+        let zero = f32x8::splat(s, 0.0);
+        let mut corners = [(zero, zero); 3];
         for (sheared, corner) in corners.iter_mut().zip(&self.corners) {
-            let height = corner[z] - oz;
-            *sheared = (corner[x] - ox - sx * height, corner[y] - oy - sy * height);
+            let height = corner[z].get(s) - oz;
+            *sheared = (
+                corner[x].get(s) - ox - height * ray.shear[0],
+                corner[y].get(s) - oy - height * ray.shear[1],
+            );
         }
         let [a, b, c] = corners;
-        let mut positive = f32x8::ZERO;
-        let mut negative = f32x8::ZERO;
+        let mut positive = mask32x8::splat(s, false);
+        let mut negative = positive;
         for (p, q) in [(b, c), (c, a), (a, b)] {
             let (left, right) = (q.0 * p.1, q.1 * p.0);
-            positive |= left.simd_gt(right);
-            negative |= left.simd_lt(right);
+            positive = positive | left.simd_gt(right);
+            negative = negative | left.simd_lt(right);
         }
-        self.present & !(positive & negative).to_bitmask()
+        self.present & !(positive & negative).to_bitmask() as u32
     }
+}
+
+#[inline(always)]
+fn corner([x, y, z]: &[Eight; 3], lane: usize) -> Vec3 {
+    Vec3::new(x.0[lane], y.0[lane], z.0[lane])
 }
 
 #[cfg(test)]
@@ -79,6 +86,7 @@ mod tests {
     use super::*;
     use crate::geometry::Ray;
     use crate::sampling::stream::{Purpose, Stream};
+    use fearless_simd::{Level, dispatch};
 
     #[test]
     fn no_triangle_that_is_crossed_is_passed_over() {
@@ -105,7 +113,7 @@ mod tests {
                 continue;
             }
             let ray = PreparedRay::from(&ray);
-            let found = packet.candidates(&ray);
+            let found = dispatch!(Level::new(), s => packet.candidates(s, &ray));
             candidates += found.count_ones();
             assert_eq!(found >> 5, 0, "lanes without a triangle");
             for (lane, t) in triangles.iter().enumerate() {

@@ -86,6 +86,15 @@ fn every_scene_is_the_same_picture_in_lanes_by_all_instructions() {
 }
 
 #[test]
+fn whoever_asks_for_path_by_name_gets_lanes() {
+    let scene = gallery::load("cornell").expect("a scene");
+    let settings = crate::integrators::Settings::new(8);
+    let entry = crate::integrators::find("path").expect("path");
+    let path = entry.prepare(&scene, &settings).expect("path");
+    assert!(path.in_lanes(&scene).is_some());
+}
+
+#[test]
 fn few_samples_depths_and_threads_change_no_bit() {
     let scene = gallery::load("spheres").expect("a scene").sized([33, 5]);
     for (max_depth, spp) in [(0, 3), (1, 1), (2, 70), (40, 3)] {

@@ -5,7 +5,6 @@
 
 mod bar;
 mod interrupt;
-mod processor;
 mod record;
 mod tell;
 mod whole;
@@ -113,17 +112,9 @@ pub struct Desk {
     unsaid: RefCell<Option<std::io::Error>>,
 }
 
-/// How a program begins, before anything else: the code to end with where the processor lacks what the
-/// program is built for.
-// In a function of its own, like what follows it: the caller must do nothing that such a processor cannot.
-#[inline(never)]
-pub fn begin() -> Result<(), ExitCode> {
-    if let Some(why) = processor::lacks() {
-        tell(why);
-        return Err(ExitCode::FAILURE);
-    }
+/// How a program begins, before anything else: a file that grows beyond what is allowed is an error that it hears of.
+pub fn begin() {
     interrupt::survive_large_files();
-    Ok(())
 }
 
 /// Reads the arguments of a program; where they are wrong, or only help is asked for, the code to end
@@ -146,14 +137,7 @@ impl Desk {
         chapter: &'static Chapter,
         work: fn(&mut Desk) -> Result<Ledger, DeskError>,
     ) -> ExitCode {
-        match begin() {
-            Ok(()) => Desk::work(chapter, work),
-            Err(code) => code,
-        }
-    }
-
-    #[inline(never)]
-    fn work(chapter: &Chapter, work: fn(&mut Desk) -> Result<Ledger, DeskError>) -> ExitCode {
+        begin();
         let options = match arguments::<Options>() {
             Ok(options) => options,
             Err(code) => return code,
