@@ -6,7 +6,7 @@ use crate::geometry::Surface;
 use crate::geometry::lanes::{Rays, bilinear};
 use crate::numeric::gamma;
 use crate::numeric::lanes::{
-    Floats, Mask, Vector, Wides, Words, floats, offset_origin, scale_and_direction,
+    Floats, Mask, Vector, Wides, Words, floats, mask, offset_origin, scale_and_direction,
 };
 use fearless_simd::prelude::*;
 use glam::Vec3;
@@ -46,8 +46,30 @@ pub struct LightSamples<S: Simd> {
     pub wi: Vector<S>,
     /// Their densities in 1/sr.
     pub pdf: Floats<S>,
+    /// Radiance in W/(m² sr).
+    pub li: Vector<S>,
     /// Rays that end just before the light.
     pub shadow_rays: Rays<S>,
+}
+
+impl<S: Simd> LightSamples<S> {
+    /// None in any lane, seen from these shapes.
+    #[inline(always)]
+    pub fn none(s: S, shape: Words<S>) -> Self {
+        let zero = Vector::splat(s, [0.0; 3]);
+        LightSamples {
+            some: mask(s, 0),
+            wi: zero,
+            pdf: zero.x,
+            li: zero,
+            shadow_rays: Rays {
+                origin: zero,
+                direction: zero,
+                t_max: zero.x,
+                from: shape,
+            },
+        }
+    }
 }
 
 impl QuadInLanes {
@@ -63,11 +85,6 @@ impl QuadInLanes {
             middle,
             far,
         }
-    }
-
-    /// Radiance in W/(m² sr).
-    pub fn radiance(&self) -> Rgb {
-        self.radiance
     }
 
     /// Lanes so near the light that it is sampled by solid angle.
@@ -116,6 +133,7 @@ impl QuadInLanes {
             some: faces & cos.simd_lt(zero) & pdf.simd_gt(zero),
             wi,
             pdf,
+            li: Vector::splat(s, self.radiance.channels()),
             shadow_rays: Rays {
                 origin,
                 direction,

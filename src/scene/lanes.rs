@@ -2,13 +2,13 @@
 
 use super::interaction::{Hit, Interaction};
 use super::{Object, Scene};
-use crate::geometry::lanes::{Column, FewShapes, MOST_SHAPES, NO_SHAPE};
+use crate::geometry::lanes::{Column, FewShapes, MOST_SHAPES};
 use crate::geometry::{Intersection, Ray, Surface};
 use crate::lights::Light;
 use crate::lights::lanes::QuadInLanes;
 use crate::materials::Bsdf;
 
-/// What of a scene is looked at in lanes: its shapes, where they are few, and its light, which is one quad.
+/// What of a scene is looked at in lanes: its shapes, where they are few, and its light, where that is one quad.
 ///
 /// All else goes lane by lane through the same code as a single path.
 #[derive(Clone, Debug)]
@@ -16,9 +16,8 @@ pub struct SceneInLanes<'s> {
     scene: &'s Scene,
     shapes: Option<FewShapes>,
     albedo: [Column; 3],
-    light: QuadInLanes,
-    light_shape: u32,
-    light_index: usize,
+    light: Option<(QuadInLanes, u32)>,
+    black_beyond: bool,
 }
 
 /// What a single ray hits.
@@ -34,24 +33,14 @@ pub struct PlainHit {
 
 impl<'s> SceneInLanes<'s> {
     /// `None` where paths had better be traced one by one: where something moves, is an instance of a mesh or lies
-    /// within rounding of a light; where not one quad is all the light there is, or nothing is diffuse and of one
-    /// colour; and where nothing shines.
+    /// within rounding of a light, where a light has no extent, where nothing is diffuse and of one colour, and where
+    /// nothing shines.
     pub fn new(scene: &'s Scene) -> Option<Self> {
         let still = scene.transformed.is_none() && scene.contacts.is_none();
-        let only = scene.light_choice.only()?;
-        let Light::Quad(light) = scene.lights.get(only)? else {
-            return None;
-        };
-        let untextured = scene.textured_lights.is_empty();
-        let diffuse = scene
-            .objects
-            .iter()
-            .any(|object| diffuse_albedo(object).is_some());
-        if !(still && untextured && diffuse) || scene.is_dark() {
-            return None;
-        }
-        let shines = |object: &u32| scene.objects[*object as usize].light == Some(only as u32);
-        let light_shape = scene.object_of_shape.iter().position(shines)?;
+        let extended = !scene.lights.iter().any(Light::is_delta);
+        let is_diffuse = |object: &Object| diffuse_albedo(object).is_some();
+        let lit = !scene.is_dark() && scene.objects.iter().any(is_diffuse);
+        (still && extended && lit).then_some(())?;
         let mut albedo = [[0.0; MOST_SHAPES]; 3];
         for (at, object) in scene.object_of_shape.iter().take(MOST_SHAPES).enumerate() {
             let own = diffuse_albedo(&scene.objects[*object as usize]).unwrap_or_default();
@@ -63,9 +52,8 @@ impl<'s> SceneInLanes<'s> {
             scene,
             shapes: FewShapes::new(scene.bvh.shapes()),
             albedo,
-            light: QuadInLanes::new(light),
-            light_index: only,
-            light_shape: u32::try_from(light_shape).unwrap_or(NO_SHAPE),
+            light: only_quad(scene),
+            black_beyond: scene.environment_light.is_none() && scene.background.is_black(),
         })
     }
 
@@ -84,14 +72,14 @@ impl<'s> SceneInLanes<'s> {
         &self.albedo
     }
 
-    /// Its light, and the number of the light's shape.
-    pub fn light(&self) -> (&QuadInLanes, u32) {
-        (&self.light, self.light_shape)
+    /// Its only light, where that is a quad of one colour, and the number of the quad.
+    pub fn light(&self) -> Option<&(QuadInLanes, u32)> {
+        self.light.as_ref()
     }
 
-    /// The index of its light in [`Scene::lights`].
-    pub fn light_index(&self) -> usize {
-        self.light_index
+    /// True where rays that leave the scene bring no light.
+    pub fn is_black_beyond(&self) -> bool {
+        self.black_beyond
     }
 
     /// The object that a shape belongs to.
@@ -123,6 +111,17 @@ impl<'s> SceneInLanes<'s> {
         };
         Interaction::new(&self.scene.objects, ray, &hit)
     }
+}
+
+fn only_quad(scene: &Scene) -> Option<(QuadInLanes, u32)> {
+    let only = scene.light_choice.only()?;
+    let Light::Quad(light) = scene.lights.get(only)? else {
+        return None;
+    };
+    let shines = |object: &u32| scene.objects[*object as usize].light == Some(only as u32);
+    let shape = scene.object_of_shape.iter().position(shines)?;
+    let quad = (QuadInLanes::new(light), u32::try_from(shape).ok()?);
+    scene.textured_lights.is_empty().then_some(quad)
 }
 
 /// The albedo of what is diffuse and of one colour, and not black.

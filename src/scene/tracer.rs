@@ -229,6 +229,30 @@ impl<'a> Tracer<'a> {
         (span != Vec3::ZERO).then(|| span * time)
     }
 
+    /// Chooses a light by what it may give at the surface `from`, and samples it there. The sample's density, or its
+    /// irradiance, knows of the choice.
+    ///
+    /// * `pick` in `[0, 1)`, of 53 bits; `u` in `[0, 1)²`.
+    /// * Density: [`Tracer::chosen_light_pdf`].
+    #[inline]
+    pub fn chosen_light_sample(
+        &self,
+        from: &Surface,
+        pick: f64,
+        u: [f32; 2],
+    ) -> Option<(usize, LightSample)> {
+        let chosen = self.scene.light_choice.choose(from.p, pick)?;
+        let sample = self.light_sample(chosen.index, from, chosen.rest, u)?;
+        let incident = match sample.incident {
+            Incident::Radiance { li, pdf } => Incident::Radiance {
+                li,
+                pdf: pdf * chosen.probability,
+            },
+            Incident::Irradiance(e) => Incident::Irradiance(e / chosen.probability),
+        };
+        Some((chosen.index, LightSample { incident, ..sample }))
+    }
+
     /// Density in 1/sr with which a light is chosen at the surface `from` and aimed at in the unit direction `wi`, where
     /// the ray in that direction hits `hit`, or leaves the scene.
     #[inline]

@@ -57,9 +57,9 @@ impl<'s> PathInLanes<'s> {
         })
     }
 
-    /// The same by other instructions of the processor.
-    #[cfg(test)]
-    fn by(self, level: Level) -> Self {
+    /// The same by other instructions of the processor: one of [`levels`](crate::numeric::lanes::levels).
+    #[must_use]
+    pub fn by(self, level: Level) -> Self {
         PathInLanes { level, ..self }
     }
 
@@ -223,7 +223,11 @@ impl<'w, 's, S: Simd> Walk<'w, 's, S> {
         let (s, scene, paths) = (self.s, &self.by.scene, &mut *self.paths);
         for lane in Each(live) {
             let hit = met >> lane & 1 == 1;
-            if hit && scene.object(paths.here.shape.0[lane]).light.is_none() {
+            let is_dark = match hit {
+                true => scene.object(paths.here.shape.0[lane]).light.is_none(),
+                false => scene.is_black_beyond(),
+            };
+            if is_dark {
                 continue;
             }
             let ray = paths.ray.lane(lane);

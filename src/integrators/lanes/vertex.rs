@@ -2,6 +2,7 @@
 
 use super::Walk;
 use super::paths::Paths;
+use crate::geometry::lanes::NO_SHAPE;
 use crate::geometry::{Ray, Surface};
 use crate::integrators::path::LEAST_SURVIVAL;
 use crate::lights::Incident;
@@ -94,14 +95,22 @@ impl<'s, S: Simd> Walk<'_, 's, S> {
     #[inline(always)]
     fn aim(&mut self, tracer: &mut Tracer<'s>, at: &Vertices<S>) {
         let (s, scene) = (self.s, &self.by.scene);
-        let (light, light_shape) = scene.light();
         let zero = floats(s, 0.0);
-        let depth = self.paths.depth.get(s);
-        let [u, v, ..] = self.streams.four(s, depth, Purpose::LightPoint);
-        let mut sample = light.sample_area(s, &at.from, [u, v]);
-        let near = bits(light.is_near(s, &at.from) & at.lanes);
-        if near != 0 {
-            self.sample_near(tracer, near, &mut sample, at, [u, v]);
+        let (mut sample, plain, target) = match scene.light() {
+            Some((light, shape)) => {
+                let depth = self.paths.depth.get(s);
+                let [u, v, ..] = self.streams.four(s, depth, Purpose::LightPoint);
+                let near = light.is_near(s, &at.from) & at.lanes;
+                (light.sample_area(s, &at.from, [u, v]), bits(near), *shape)
+            }
+            None => (
+                LightSamples::none(s, at.from.shape),
+                bits(at.lanes),
+                NO_SHAPE,
+            ),
+        };
+        if plain != 0 {
+            self.sample_plain(tracer, plain, &mut sample, at);
         }
 
         let cos_i = sample.wi.dot(at.n);
@@ -116,7 +125,7 @@ impl<'s, S: Simd> Walk<'_, 's, S> {
         });
         let mut doubt = visible;
         if let Some(shapes) = scene.shapes() {
-            let (hit, unsure) = shapes.occluded(s, &sample.shadow_rays, light_shape);
+            let (hit, unsure) = shapes.occluded(s, &sample.shadow_rays, target);
             visible &= !bits(hit);
             doubt = visible & bits(unsure);
         }
@@ -139,43 +148,51 @@ impl<'s, S: Simd> Walk<'_, 's, S> {
         // `Heuristic::Power`.
         let ratio = cos * FRAC_1_PI / sample.pdf;
         let weight = floats(s, 1.0) / (floats(s, 1.0) + ratio * ratio);
-        let li = Vector::splat(s, light.radiance().channels()) * (weight / sample.pdf);
+        let li = sample.li * (weight / sample.pdf);
         let scattered = self.paths.beta.get(s).times((f * cos).times(li));
         let sum = self.paths.li.get(s) + scattered;
         self.paths.li.set_where(s, mask(s, visible), sum);
     }
 
-    /// Samples the light by solid angle in lanes that are near it, by the plain code.
+    /// Samples a light in some lanes by the plain code: near a quad, which is sampled by solid angle there, and all
+    /// other lights.
     #[inline(always)]
-    fn sample_near(
+    fn sample_plain(
         &self,
         tracer: &Tracer<'s>,
-        near: u32,
+        lanes: u32,
         sample: &mut LightSamples<S>,
         at: &Vertices<S>,
-        [u, v]: [Floats<S>; 2],
     ) {
-        let (s, index) = (self.s, self.by.scene.light_index());
-        let (u, v, n) = (Row::from(u), Row::from(v), Row3::from(at.from.n));
-        let mut some = bits(sample.some) & !near;
+        let (s, n) = (self.s, Row3::from(at.from.n));
+        let mut some = bits(sample.some) & !lanes;
         let (mut wi, mut pdf) = (Row3::from(sample.wi), Row::from(sample.pdf));
+        let mut li = Row3::from(sample.li);
         let rays = &mut sample.shadow_rays;
         let (mut origin, mut direction) = (Row3::from(rays.origin), Row3::from(rays.direction));
         let mut t_max = Row::from(rays.t_max);
-        for lane in Each(near) {
+        for lane in Each(lanes) {
             let from = Surface {
                 n: n.lane(lane).into(),
                 ..self.paths.here.lane(lane)
             };
-            let Some(plain) = tracer.light_sample(index, &from, 0.0, [u.0[lane], v.0[lane]]) else {
+            let vertex = u64::from(self.paths.depth.0[lane]);
+            let mut numbers = self.streams.lane(lane).at(vertex, Purpose::LightPoint);
+            let (u, pick) = (numbers.two(), numbers.fine());
+            let Some((_, plain)) = tracer.chosen_light_sample(&from, pick, u) else {
                 continue;
             };
-            let Incident::Radiance { pdf: density, .. } = plain.incident else {
+            let Incident::Radiance {
+                li: own,
+                pdf: density,
+            } = plain.incident
+            else {
                 continue;
             };
             some |= 1 << lane;
             wi.set_lane(lane, plain.wi);
             pdf.0[lane] = density;
+            li.set_lane(lane, own.channels());
             origin.set_lane(lane, plain.shadow_ray.origin);
             direction.set_lane(lane, plain.shadow_ray.direction);
             t_max.0[lane] = plain.shadow_ray.t_max;
@@ -183,6 +200,7 @@ impl<'s, S: Simd> Walk<'_, 's, S> {
         sample.some = mask(s, some);
         sample.wi = wi.get(s);
         sample.pdf = pdf.get(s);
+        sample.li = li.get(s);
         rays.origin = origin.get(s);
         rays.direction = direction.get(s);
         rays.t_max = t_max.get(s);

@@ -189,30 +189,20 @@ impl<'a, const KINDS: u8> World<Solid> for Guided<'_, 'a, KINDS> {
         vertex: u64,
         stream: &Stream,
     ) -> Option<DirectLight> {
-        let scene = self.tracer.scene();
         let bsdf = Self::bsdf(at)?;
         // A two-sided surface is lit on the side that is seen, and by nothing from behind.
         let from = at.surface.facing(at.back);
         let mut numbers = stream.at(vertex, Purpose::LightPoint);
         let (u, pick) = (numbers.two(), numbers.fine());
-        let chosen = scene.light_choice.choose(from.p, pick)?;
-        let sample = self
-            .tracer
-            .light_sample(chosen.index, &from, chosen.rest, u)?;
+        let (index, sample) = self.tracer.chosen_light_sample(&from, pick, u)?;
         let wi = at.frame.to_local(sample.wi);
         let (f, cos) = (bsdf.f(at.wo, wi), wi.z.abs());
-        if f.is_black() || cos == 0.0 || !self.tracer.visible(chosen.index, &sample) {
+        if f.is_black() || cos == 0.0 || !self.tracer.visible(index, &sample) {
             return None;
         }
         let (li, irradiance, pdf) = match sample.incident {
-            Incident::Radiance { li, pdf } => {
-                let pdf = pdf * chosen.probability;
-                (li, li * (1.0 / pdf), Some(pdf))
-            }
-            Incident::Irradiance(e) => {
-                let e = e / chosen.probability;
-                (e, e, None)
-            }
+            Incident::Radiance { li, pdf } => (li, li * (1.0 / pdf), Some(pdf)),
+            Incident::Irradiance(e) => (e, e, None),
         };
         Some(DirectLight {
             f,

@@ -16,7 +16,7 @@ pub use vector::{Row3, Vector};
 pub use wide::{WideVector, Wides, Words64};
 
 use fearless_simd::prelude::*;
-use fearless_simd::{f32x16, mask32x16, u32x16};
+use fearless_simd::{Level, f32x16, mask32x16, u32x16};
 
 /// Paths side by side.
 pub const LANES: usize = 16;
@@ -119,20 +119,34 @@ impl Iterator for Each {
     }
 }
 
-/// The instructions that this processor has, widest first, that code in lanes is compiled for.
-#[cfg(test)]
-pub(crate) fn levels() -> Vec<fearless_simd::Level> {
-    use fearless_simd::Level;
+/// The sets of instructions that this processor has and code in lanes can run by, the widest first.
+pub fn levels() -> Vec<Level> {
     let best = Level::new();
     #[cfg(target_arch = "x86_64")]
-    let others = [
+    let all = [
+        matches!(best, Level::Avx512(_)).then_some(best),
         best.as_avx2().map(Level::Avx2),
         best.as_sse4_2().map(Level::Sse4_2),
         best.as_sse2().map(Level::Sse2),
     ];
     #[cfg(not(target_arch = "x86_64"))]
-    let others = [None];
-    std::iter::once(best)
-        .chain(others.into_iter().flatten())
-        .collect()
+    let all = [Some(best)];
+    all.into_iter().flatten().collect()
+}
+
+/// What a set of instructions is called.
+pub fn level_name(level: Level) -> &'static str {
+    match level {
+        #[cfg(target_arch = "x86_64")]
+        Level::Avx512(_) => "AVX-512",
+        #[cfg(target_arch = "x86_64")]
+        Level::Avx2(_) => "AVX2",
+        #[cfg(target_arch = "x86_64")]
+        Level::Sse4_2(_) => "SSE4.2",
+        #[cfg(target_arch = "x86_64")]
+        Level::Sse2(_) => "SSE2",
+        #[cfg(target_arch = "aarch64")]
+        Level::Neon(_) => "Neon",
+        _ => "others",
+    }
 }
