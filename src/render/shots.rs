@@ -76,15 +76,7 @@ impl<R: Recorder + ?Sized> Shots<'_, R> {
         let stop = || !whole.load(Ordering::Relaxed) || (self.stop)();
         tiles.par_iter_mut().for_each(|tile| {
             let samples = tile.pixels.len() as u64 * u64::from(pass.end - pass.start);
-            if tile.sample(
-                self.scene,
-                self.recorder,
-                self.options,
-                pass.clone(),
-                prepared,
-                self.lanes.filter(|_| prepared.eye.is_none()),
-                &stop,
-            ) {
+            if tile.sample(self, pass.clone(), prepared, &stop) {
                 (self.tell)(samples);
             } else {
                 whole.store(false, Ordering::Relaxed);

@@ -1,6 +1,7 @@
 //! The pixel loop itself: a rectangle of pixels, and the samples of a pass over it.
 
 use super::recorder::Recorder;
+use super::shots::Shots;
 use super::watch::Watch;
 use super::{BadSample, Options, Pixel, shard};
 use crate::color::Rgb;
@@ -90,14 +91,13 @@ impl<Notes> Tile<Notes> {
     /// sample take a millisecond.
     pub(super) fn sample<R: Recorder<Notes = Notes> + ?Sized>(
         &mut self,
-        scene: &Scene,
-        recorder: &R,
-        options: &Options,
+        shots: &Shots<R>,
         pass: Range<u32>,
         prepared: &Prepared,
-        lanes: Option<&PathInLanes>,
         stop: &(dyn Fn() -> bool + Sync),
     ) -> bool {
+        let (scene, recorder, options) = (shots.scene, shots.recorder, shots.options);
+        let lanes = shots.lanes.filter(|_| prepared.eye.is_none());
         let mut tracer = Tracer::new(scene);
         let run = even_run(pass.start);
         let ends_run = options.sampler == Sampler::Sobol && pass.end == run.end;

@@ -86,7 +86,7 @@ impl Streams {
             // All ones where the index has the bit.
             let has = words(s, 0) - ((shuffled >> (31 - bit as u32)) & words(s, 1));
             for (x, direction) in sobol.iter_mut().zip(directions) {
-                *x = *x ^ (has & words(s, *direction));
+                *x ^= has & words(s, *direction);
             }
         }
         let seed = seed * words(s, 0x9c8f_2d3b);
@@ -136,10 +136,10 @@ fn step<S: Simd>(state: Words64<S>) -> Words64<S> {
 /// `sobol_burley::parts::owen_scramble_rev`.
 #[inline(always)]
 fn owen_scramble<S: Simd>(s: S, n: Words<S>, by: Words<S>) -> Words<S> {
-    let n = n ^ n * words(s, 0x3d20_adea);
+    let n = n ^ (n * words(s, 0x3d20_adea));
     let n = (n + by) * ((by >> 16) | words(s, 1));
-    let n = n ^ n * words(s, 0x0552_6c56);
-    n ^ n * words(s, 0x53a2_2864)
+    let n = n ^ (n * words(s, 0x0552_6c56));
+    n ^ (n * words(s, 0x53a2_2864))
 }
 
 /// `sobol_burley::parts::hash`.

@@ -69,8 +69,8 @@ impl Packet {
         let mut negative = positive;
         for (p, q) in [(b, c), (c, a), (a, b)] {
             let (left, right) = (q.0 * p.1, q.1 * p.0);
-            positive = positive | left.simd_gt(right);
-            negative = negative | left.simd_lt(right);
+            positive |= left.simd_gt(right);
+            negative |= left.simd_lt(right);
         }
         self.present & !(positive & negative).to_bitmask() as u32
     }

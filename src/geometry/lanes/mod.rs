@@ -176,7 +176,7 @@ impl FewShapes {
         for (ball_id, sphere) in &self.balls {
             let here = hit & nearest.id.simd_eq(words(s, *ball_id));
             if bits(here) != 0 {
-                is_ball = is_ball | here;
+                is_ball |= here;
                 first.place(
                     s,
                     here,
@@ -203,15 +203,15 @@ impl FewShapes {
             let seen = quad.look(s, rays, reach, speed);
             let before = (seen.t - seen.slack).simd_le(rays.t_max);
             if quad.id == target {
-                doubt = doubt | seen.edge_on;
+                doubt |= seen.edge_on;
             } else {
-                doubt = doubt | (seen.may & before);
-                hit = hit | (seen.does & (seen.t + seen.slack).simd_le(rays.t_max));
+                doubt |= seen.may & before;
+                hit |= seen.does & (seen.t + seen.slack).simd_le(rays.t_max);
             }
         }
         for (_, sphere) in &self.balls {
             let (_, met) = ball::intersect(s, sphere, rays);
-            hit = hit | met;
+            hit |= met;
         }
         (hit, doubt & !hit)
     }

@@ -236,7 +236,7 @@ impl<'s, S: Simd> Walk<'_, 's, S> {
             let q = rr_beta.x.max(rr_beta.y).max(rr_beta.z);
             let q = q.simd_lt(least).select(least, q);
             let q = q.simd_gt(one).select(one, q);
-            on = on & (!plays | left.simd_lt(q));
+            on &= !plays | left.simd_lt(q);
             beta = Vector::select(plays, beta / q, beta);
             rr_beta = Vector::select(plays, rr_beta / q, rr_beta);
         }
