@@ -2,7 +2,8 @@
 
 use super::Stop;
 use super::stop::time;
-use crate::output::Format;
+use crate::lab::chapter::tell;
+use crate::output::{self, Format};
 use crate::render::Shard;
 use clap::Args;
 use std::path::{Path, PathBuf};
@@ -47,6 +48,16 @@ const SETTINGS: [&str; 15] = [
 ];
 
 impl Long {
+    /// Removes what was left by a render of this picture that was killed while it wrote.
+    pub fn sweep(&self, path: &Path) {
+        if self.resume.is_none() && self.checkpoint.is_none() {
+            return;
+        }
+        if let Err(what) = output::sweep(path) {
+            tell(format_args!("note: {}: {what}", path.display()));
+        }
+    }
+
     /// Only some files can be gone on with, or put together.
     pub fn check(&self, path: &Path) -> Result<(), Stop> {
         let said = match (self.checkpoint, self.shard) {

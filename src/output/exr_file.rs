@@ -6,7 +6,7 @@ use crate::render::{Film, Pixel};
 use exr::prelude::*;
 use std::io::Cursor;
 
-pub(super) use super::state_file::read;
+pub(super) use super::state_file::{facts, read};
 
 /// A film as an EXR file.
 ///

@@ -5,14 +5,17 @@
 //! over them and over the facts stands in the text attribute, for the compression of the format notices only some
 //! changes.
 
-use super::Provenance;
+use super::{OutputError, Provenance};
 use crate::render::{Film, Pixel, State, Tally};
 use crate::stats::Estimate;
+use exr::meta::MetaData;
 use exr::meta::attribute::AttributeValue;
 use exr::prelude::*;
 use serde::{Deserialize, Serialize};
 use sha2::{Digest, Sha256};
+use std::fs::File;
 use std::io::Cursor;
+use std::path::Path;
 use std::result::Result;
 
 /// What the text attribute says.
@@ -136,6 +139,32 @@ pub(super) fn checksum(
         .collect())
 }
 
+/// What the text attribute of a layer says.
+fn said(attributes: &LayerAttributes) -> Result<Facts, String> {
+    let Some(AttributeValue::Text(text)) = attributes.other.get(&Text::from("halfdisk")) else {
+        return Err("was not written by halfdisk".to_owned());
+    };
+    serde_json::from_str(&text.to_string())
+        .map_err(|e| format!("was written by another version of halfdisk: {e}"))
+}
+
+/// What the head of an EXR file says made its picture, and the size of this, where it has the state of the render. Nothing
+/// is compared with the checksum, which takes all of the file.
+pub(super) fn facts(path: &Path) -> Result<(Provenance, Option<[u32; 2]>), OutputError> {
+    let name = || path.display().to_string();
+    let file = File::open(path).map_err(|e| OutputError::File(name(), e))?;
+    let head = || {
+        let data = MetaData::read_from_unbuffered(file, false)
+            .map_err(|e| format!("is no EXR picture that can be read: {e}"))?;
+        let header = data.headers.first().ok_or("has no layer")?;
+        let facts = said(&header.own_attributes)?;
+        let Vec2(width, height) = header.layer_size;
+        let size = facts.state.map(|_| [width as u32, height as u32]);
+        Ok((facts.provenance, size))
+    };
+    head().map_err(|what| OutputError::Reading(name(), what))
+}
+
 /// What made the picture of an EXR file, and the exact state of its render, where the file has one.
 pub(super) fn read(bytes: &[u8]) -> Result<(Provenance, Option<State>), String> {
     let image = exr::prelude::read()
@@ -148,12 +177,7 @@ pub(super) fn read(bytes: &[u8]) -> Result<(Provenance, Option<State>), String> 
         .from_buffered(Cursor::new(bytes))
         .map_err(|e| format!("is no EXR picture that can be read: {e}"))?;
     let layer = image.layer_data;
-    let Some(AttributeValue::Text(text)) = layer.attributes.other.get(&Text::from("halfdisk"))
-    else {
-        return Err("was not written by halfdisk".to_owned());
-    };
-    let facts: Facts = serde_json::from_str(&text.to_string())
-        .map_err(|e| format!("was written by another version of halfdisk: {e}"))?;
+    let facts = said(&layer.attributes)?;
     let Some(Summary {
         tally,
         checksum: expected,

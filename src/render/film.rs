@@ -47,6 +47,18 @@ impl Pixel {
         }
     }
 
+    /// Adds the samples of another picture of the same pixel, independent of these.
+    pub(super) fn merge(&mut self, other: &Pixel) {
+        for (own, its) in [
+            (&mut self.channels, &other.channels),
+            (&mut self.runs, &other.runs),
+        ] {
+            own.iter_mut().zip(its).for_each(|(a, b)| *a = a.merge(b));
+        }
+        self.in_runs += other.in_runs;
+        self.taken = self.taken.saturating_add(other.taken);
+    }
+
     /// How many samples were added.
     pub fn count(&self) -> u64 {
         self.channels[0].count()
@@ -120,6 +132,11 @@ impl Film {
     /// The pixel in column `x` from the left and row `y` from the top.
     pub fn pixel(&self, x: u32, y: u32) -> &Pixel {
         &self.pixels[y as usize * self.width as usize + x as usize]
+    }
+
+    /// The pixel in column `x` and row `y`, to be changed.
+    pub(super) fn pixel_mut(&mut self, x: u32, y: u32) -> &mut Pixel {
+        &mut self.pixels[y as usize * self.width as usize + x as usize]
     }
 
     /// Some of its rows, as a picture of its own.
