@@ -280,7 +280,9 @@ fn shards_of_any_number_are_the_whole_for_every_integrator() {
                 let shard = |index| Shard { index, count };
                 let mut merged = state(Some(shard(1)));
                 for index in 2..=count {
-                    merged.add_shard(&state(Some(shard(index))), shard(index));
+                    let mut part = state(Some(shard(index)));
+                    part.film = part.film.packed(shard(index));
+                    merged.add_shard(&part, shard(index));
                 }
                 merged.tally.passes = Estimate::new();
                 assert!(merged == whole, "{name}, {count} shards");

@@ -1,13 +1,14 @@
 //! `halfdisk converge`.
 
 use super::answer::{List, answer, to_json};
-use super::shares::{self, Share, in_order};
+use super::shares::{self, Share};
 use super::{Stop, check_folder, drawn, save, use_threads, with_ending};
 use crate::lab::chapter::{Bar, on_ctrl_c, tell, whole};
 use crate::lab::experiment::convergence::{
     Convergence, Design, Estimator, converge_watched, csv, errors, of_errors,
 };
 use crate::lab::experiment::named;
+use crate::lab::experiment::study::in_order;
 use crate::lab::figures::convergence_chart;
 use crate::numeric::count;
 use crate::render::Shard;
@@ -83,12 +84,13 @@ impl Converge {
         if self.list {
             return answer(&List(named::all()), self.json);
         }
-        check_folder(&self.out)?;
         if !self.merge.is_empty() {
             let (design, shares) = Shares::read_all(&self.merge)?;
+            check_folder(&self.out)?;
             return self.answer(&design.measured(shares)?);
         }
         let estimators = chosen(&self.names)?;
+        check_folder(&self.out)?;
         use_threads(self.threads)?;
         let shared = Shared {
             seed: self.seed,

@@ -122,33 +122,3 @@ where
 pub(super) fn file(name: &Path, shard: Shard) -> PathBuf {
     super::with_ending(name, &format!("-{}-of-{}.json", shard.index, shard.count))
 }
-
-/// The replicates of all shares in their own order.
-pub(super) fn in_order<R>(shares: Vec<Vec<R>>) -> Vec<R> {
-    let mut all: Vec<_> = shares.into_iter().map(Vec::into_iter).collect();
-    let mut rows = Vec::new();
-    loop {
-        let round: Vec<R> = all.iter_mut().map_while(Iterator::next).collect();
-        if round.is_empty() {
-            return rows;
-        }
-        rows.extend(round);
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn replicates_are_shared_out_and_come_back_in_order() {
-        for (replicates, n) in [(10, 1), (10, 3), (9, 3), (2, 5), (256, 7)] {
-            let shares = (1..=n).map(|index| {
-                let numbers = (index - 1..replicates).step_by(n as usize);
-                numbers.collect::<Vec<u32>>()
-            });
-            let all = in_order(shares.collect());
-            assert!(all.into_iter().eq(0..replicates), "{replicates} by {n}");
-        }
-    }
-}

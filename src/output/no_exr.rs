@@ -15,6 +15,13 @@ pub(super) fn facts(path: &Path) -> Result<(Provenance, Option<[u32; 2]>), Outpu
     Err(OutputError::Reading(path.display().to_string(), what))
 }
 
+/// As with the feature.
+pub(super) type Packed = (State, Option<[u32; 2]>);
+
+pub(super) fn read_packed(_: &[u8]) -> Result<(Provenance, Option<Packed>), String> {
+    Err(format!("is an EXR picture, and {WHY}"))
+}
+
 pub(super) fn read(_: &[u8]) -> Result<(Provenance, Option<State>), String> {
     Err(format!("is an EXR picture, and {WHY}"))
 }

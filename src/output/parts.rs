@@ -1,9 +1,11 @@
 //! One picture from several files.
 
+use super::exr_file::Packed;
 use super::{Format, OutputError, Provenance, exr_file, made};
 use crate::render::{Film, Shard, State, Tally, known_mean};
 use crate::stats::{Estimate, Measurement};
 use std::collections::BTreeSet;
+use std::fs;
 use std::path::{Path, PathBuf};
 
 /// What the files are.
@@ -63,7 +65,14 @@ pub fn merged(files: &[PathBuf], parts: Parts) -> Result<Merged, OutputError> {
     let sampler = first.facts.sampler;
     let mut whole = first.read()?;
     let mut means = Estimate::new();
-    means.add(whole.film.mean().0);
+    match first.shard {
+        Some(shard) => {
+            let mut film = Film::empty(first.size);
+            film.unpack(&whole.film, shard);
+            whole.film = film;
+        }
+        None => means.add(whole.film.mean().0),
+    }
     for part in others {
         let state = part.read()?;
         match part.shard {
@@ -260,14 +269,23 @@ impl Part {
         Err(OutputError::Part(format!("missing: the shards {missing}")))
     }
 
-    /// Its state, which is whole.
+    /// Its state, which is whole; of a shard with its film packed.
     fn read(&self) -> Result<State, OutputError> {
-        let (facts, state) = made(&self.path)?;
-        let Some(state) = state.filter(|state| facts == self.facts && state.size() == self.size)
-        else {
+        let name = || self.path.display().to_string();
+        let bytes = fs::read(&self.path).map_err(|e| OutputError::File(name(), e))?;
+        let read = exr_file::read_packed(&bytes);
+        let (facts, state) = read.map_err(|what| OutputError::Reading(name(), what))?;
+        let same = |(state, picture): &Packed| {
+            facts == self.facts && picture.unwrap_or(state.size()) == self.size
+        };
+        let Some((state, _)) = state.filter(same) else {
             return Err(self.refuse("was replaced while it was read".to_owned()));
         };
-        let (has, spp) = (state.spp(self.shard), facts.spp);
+        let has = match self.shard {
+            None => state.spp(None),
+            Some(shard) => state.packed_spp(shard, self.size),
+        };
+        let spp = facts.spp;
         if u64::from(has) < spp {
             let file = self.path.display();
             return Err(self.refuse(format!(

@@ -34,6 +34,9 @@ pub(super) struct Facts {
 pub(super) struct Summary {
     #[serde(flatten)]
     pub tally: Tally,
+    /// The size of the picture, where the file has the tiles of a shard, one below the other.
+    #[serde(skip_serializing_if = "Option::is_none", default)]
+    pub picture: Option<[u32; 2]>,
     /// SHA-256 of all of it, as hexadecimal digits.
     pub checksum: String,
 }
@@ -121,12 +124,15 @@ pub(super) fn checksum(
     film: &Film,
     provenance: &Provenance,
     tally: &Tally,
+    picture: Option<[u32; 2]>,
 ) -> Result<String, String> {
     let facts = serde_json::to_vec(&(provenance, tally)).map_err(|e| e.to_string())?;
     let mut hash = Sha256::new();
     hash.update(film.width().to_le_bytes());
     hash.update((facts.len() as u64).to_le_bytes());
     hash.update(facts);
+    let size = picture.into_iter().flatten();
+    size.for_each(|n| hash.update(n.to_le_bytes()));
     for pixel in film.pixels() {
         numbers(pixel)
             .iter()
@@ -138,6 +144,9 @@ pub(super) fn checksum(
         .map(|byte| format!("{byte:02x}"))
         .collect())
 }
+
+/// A state, with the size of the picture where it has the film of a shard.
+pub(super) type Packed = (State, Option<[u32; 2]>);
 
 /// What the text attribute of a layer says.
 fn said(attributes: &LayerAttributes) -> Result<Facts, String> {
@@ -159,7 +168,8 @@ pub(super) fn facts(path: &Path) -> Result<(Provenance, Option<[u32; 2]>), Outpu
         let header = data.headers.first().ok_or("has no layer")?;
         let facts = said(&header.own_attributes)?;
         let Vec2(width, height) = header.layer_size;
-        let size = facts.state.map(|_| [width as u32, height as u32]);
+        let own = [width as u32, height as u32];
+        let size = facts.state.map(|state| state.picture.unwrap_or(own));
         Ok((facts.provenance, size))
     };
     head().map_err(|what| OutputError::Reading(name(), what))
@@ -167,6 +177,21 @@ pub(super) fn facts(path: &Path) -> Result<(Provenance, Option<[u32; 2]>), Outpu
 
 /// What made the picture of an EXR file, and the exact state of its render, where the file has one.
 pub(super) fn read(bytes: &[u8]) -> Result<(Provenance, Option<State>), String> {
+    let (facts, packed) = read_packed(bytes)?;
+    let whole = |(mut state, picture): Packed| {
+        if let (Some(shard), Some(size)) = (facts.shard, picture) {
+            let mut film = Film::empty(size);
+            film.unpack(&state.film, shard);
+            state.film = film;
+        }
+        state
+    };
+    let state = packed.map(whole);
+    Ok((facts, state))
+}
+
+/// The same with the film of a shard as it is in the file, [packed](Film::packed), and the size of its picture.
+pub(super) fn read_packed(bytes: &[u8]) -> Result<(Provenance, Option<Packed>), String> {
     let image = exr::prelude::read()
         .no_deep_data()
         .largest_resolution_level()
@@ -180,6 +205,7 @@ pub(super) fn read(bytes: &[u8]) -> Result<(Provenance, Option<State>), String> 
     let facts = said(&layer.attributes)?;
     let Some(Summary {
         tally,
+        picture,
         checksum: expected,
     }) = facts.state
     else {
@@ -210,8 +236,14 @@ pub(super) fn read(bytes: &[u8]) -> Result<(Provenance, Option<State>), String> 
         }
     }
     let film = Film::new(size.width() as u32, pixels.iter().map(pixel).collect());
-    match checksum(&film, &facts.provenance, &tally)? == expected {
-        true => Ok((facts.provenance, Some(State { film, tally }))),
+    let own = [film.width(), film.height()];
+    let fits = match (facts.provenance.shard, picture) {
+        (Some(shard), Some(size)) => own == Film::packed_size(shard, size),
+        (None, None) => true,
+        _ => false,
+    };
+    match fits && checksum(&film, &facts.provenance, &tally, picture)? == expected {
+        true => Ok((facts.provenance, Some((State { film, tally }, picture)))),
         false => Err("is damaged: what it says of its render does not fit its checksum".to_owned()),
     }
 }

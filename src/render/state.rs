@@ -5,7 +5,6 @@ use super::{BadSample, Faults, Film, Rendered, Shard};
 use crate::sampling::stream::Sampler;
 use crate::scene::RayCounts;
 use crate::stats::Estimate;
-use std::ops::Range;
 
 /// A render between two samples, from what it leaves ([`Rendered`]): [`Session::resume`](super::Session::resume) goes on
 /// from it.
@@ -43,8 +42,15 @@ impl State {
     pub fn spp(&self, shard: Option<Shard>) -> u32 {
         let film = &self.film;
         let shard = shard.unwrap_or(Shard { index: 1, count: 1 });
-        let pixels = shard.tiles(self.size()).flat_map(places);
-        let taken = pixels.map(|[x, y]| film.pixel(x, y).taken);
+        let places = shard.places(self.size());
+        let taken = places.map(|[[x, y], _]| film.pixel(x, y).taken);
+        taken.min().unwrap_or(u32::MAX)
+    }
+
+    /// The same of a shard with its film [packed](Film::packed) from a picture of this size.
+    pub(crate) fn packed_spp(&self, shard: Shard, size: [u32; 2]) -> u32 {
+        let places = shard.places(size);
+        let taken = places.map(|[_, [x, y]]| self.film.pixel(x, y).taken);
         taken.min().unwrap_or(u32::MAX)
     }
 
@@ -53,17 +59,13 @@ impl State {
         [self.film.width(), self.film.height()]
     }
 
-    /// Adds a shard of the same picture, whose pixels it does not have yet.
+    /// Adds a shard of the same picture: what its render knows, with its film [packed](Film::packed).
     ///
     /// # Panics
     ///
-    /// Where their pictures differ in size.
+    /// Where that was packed from a picture of another size.
     pub fn add_shard(&mut self, part: &State, shard: Shard) {
-        assert_eq!(self.size(), part.size());
-        let pixels = shard.tiles(self.size()).flat_map(places);
-        for [x, y] in pixels {
-            *self.film.pixel_mut(x, y) = *part.film.pixel(x, y);
-        }
+        self.film.unpack(&part.film, shard);
         self.tally.join(&part.tally);
         // What passes prepare is for all pixels, so each shard has it.
         self.tally.rays += part.tally.rays - part.tally.pass_rays;
@@ -79,8 +81,9 @@ impl State {
     /// Where their pictures differ in size.
     pub fn add_seed(&mut self, other: &State, sampler: Sampler) {
         assert_eq!(self.size(), other.size());
-        for [x, y] in places([0..self.film.width(), 0..self.film.height()]) {
-            let (pixel, mut its) = (self.film.pixel_mut(x, y), *other.film.pixel(x, y));
+        let pixels = self.film.pixels_mut().iter_mut();
+        for (pixel, its) in pixels.zip(other.film.pixels()) {
+            let mut its = *its;
             if sampler == Sampler::Sobol {
                 for pixel in [&mut *pixel, &mut its] {
                     if pixel.in_runs == 0 {
@@ -94,11 +97,6 @@ impl State {
         self.tally.rays += other.tally.rays;
         self.tally.pass_rays += other.tally.pass_rays;
     }
-}
-
-/// The pixels of a rectangle, row by row.
-fn places([x, y]: [Range<u32>; 2]) -> impl Iterator<Item = [u32; 2]> {
-    y.flat_map(move |y| x.clone().map(move |x| [x, y]))
 }
 
 impl Tally {
