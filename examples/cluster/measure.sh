@@ -1,5 +1,5 @@
 #!/bin/bash
-# What parts cost: the numbers of the page "Many machines". Takes `halfdisk` on the PATH and about five minutes.
+# What parts cost: the numbers of the page "Many machines". Takes `halfdisk` on the PATH and a few minutes.
 #
 #   bash examples/cluster/measure.sh
 #
@@ -10,7 +10,7 @@ trap 'rm -r "$PWD"' EXIT
 TIMEFORMAT='%R %U %S'
 
 # Seconds by the clock and of all processors that a command takes.
-seconds() { { time "$@" > /dev/null; } 2>&1 | awk '{ print $1, $2 + $3 }'; }
+seconds() { { time "$@" > /dev/null 2>&1; } 2>&1 | awk '{ print $1, $2 + $3 }'; }
 # The same over N turns, as means.
 mean() { awk '{ a += $1; b += $2; n++ } END { printf "%.2f %.2f\n", a / n, b / n }'; }
 
@@ -33,19 +33,19 @@ compare() {
     paste -d' ' <(mean < a) <(mean < b)
 }
 
-echo "8 shards, 2 at a time, against 1 run of 2 threads (clock, processors): path in cornell, 640x480, 64 samples"
-compare 5 2 8 cornell --size 640x480 --spp 64 |
+echo "8 shards, 2 at a time, against 1 run of 2 threads (clock, processors): path in cornell, 320x240, 64 samples"
+compare 4 2 8 cornell --size 320x240 --spp 64 |
     awk '{ printf "  one run %s s, %s s; shards %s s, %s s; ratios %.3f, %.3f\n", $1, $2, $3, $4, $3 / $1, $4 / $2 }'
 
 echo "The same on two processors, so many at a time (clock):"
 for at in 1 2 4 8; do
-    printf '  %s: %s s\n' "$at" "$(for _ in 1 2 3; do seconds shards "$at" 8 cornell --size 640x480 --spp 64; done | mean | cut -d' ' -f1)"
+    printf '  %s: %s s\n' "$at" "$(for _ in 1 2; do seconds shards "$at" 8 cornell --size 320x240 --spp 64; done | mean | cut -d' ' -f1)"
 done
 
-echo "What every shard does again: processor time of 8 shards over that of one run, 256x192"
+echo "What every shard does again: processor time of 8 shards over that of one run, 200x150"
 while read -r what; do
     # shellcheck disable=SC2086
-    compare 3 2 8 $what --size 256x192 |
+    compare 2 2 8 $what --size 200x150 |
         awk -v what="$what" '{ printf "  %-55s %.2f\n", what, $4 / $2 }'
 done << END
 cornell --spp 64
@@ -54,16 +54,20 @@ caustic --spp 32 --integrator light-tracer
 caustic --spp 16 --integrator photons
 END
 
-echo "1920x1080, 4 samples with Sobol' points and without, 8 shards and 64"
+echo "Bytes a pixel, cornell, 64 samples"
 for sampler in sobol independent; do
-    whole 2 cornell --size 1920x1080 --spp 4 --sampler "$sampler"
-    stat -c %s whole.exr | awk -v s="$sampler" '{ printf "  %s: %.0f MB, %.1f bytes a pixel\n", s, $1 / 1e6, $1 / 1920 / 1080 }'
+    whole 2 cornell --size 320x240 --spp 64 --sampler "$sampler"
+    stat -c %s whole.exr | awk -v s="$sampler" '{ printf "  %s: %.1f\n", s, $1 / 320 / 240 }'
 done
+
+echo "1920x1080, 4 independent samples"
+whole 2 cornell --size 1920x1080 --spp 4 --sampler independent
+stat -c %s whole.exr | awk '{ printf "  the whole: %.0f MB\n", $1 / 1e6 }'
 for n in 8 64; do
     rm -f part-*
     shards 2 "$n" cornell --size 1920x1080 --spp 4 --sampler independent
-    part=$(stat -c %s part-1.exr)
     took=$(seconds halfdisk merge part-*.exr --out merged.exr)
     cmp merged.exr whole.exr
-    echo "  $n shards: $((part / 1000)) kB each, merged in $took s (clock, processors), the same bytes"
+    stat -c %s part-1.exr | awk -v n="$n" -v took="$took" \
+        '{ printf "  %d shards: %.1f MB each, merged in %s s (clock, processors), the same bytes\n", n, $1 / 1e6, took }'
 done

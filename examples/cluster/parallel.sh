@@ -6,12 +6,15 @@
 #
 # On several machines, which see this folder under the same path and have `halfdisk` on their PATH:
 #   HOSTS=:,anna,bert bash examples/cluster/parallel.sh 16 mine.exr mine.toml --spp 1024
+# Where much light is traced from the lights, as in caustics, divide the samples instead: 16 seeds of 64 samples each by
+#   BY=seeds bash examples/cluster/parallel.sh 16 mine.exr mine.toml --spp 64
 # Asked again, finished shards are not rendered again.
 set -euo pipefail
 here=$(cd "$(dirname "$0")" && pwd)
 n=$1 out=$2
 shift 2
-parallel --quote --sshlogin "${HOSTS:-:}" --workdir . --retries 3 --joblog "$out.log" \
+[ "${BY:-shards}" = seeds ] && by=--seeds || by=
+parallel --quote --env BY --sshlogin "${HOSTS:-:}" --workdir . --retries 3 --joblog "$out.log" \
     "$here/shard.sh" {} "$n" "$out.parts" "$@" ::: $(seq "$n")
-halfdisk merge "$out.parts"/part-*.exr --out "$out"
+halfdisk merge $by "$out.parts"/part-*.exr --out "$out"
 rm -r "$out.parts"

@@ -3,6 +3,7 @@
 #
 #   shard.sh I N FOLDER SCENE [settings of halfdisk render]
 #
+# With BY=seeds the share is the whole picture with seed I, for `halfdisk merge --seeds`.
 # Started again, it goes on with what was begun, and does nothing where the share is finished. So a task that was killed
 # or moved to another machine is simply started again.
 set -eu
@@ -17,4 +18,8 @@ interrupted: "*) exec halfdisk render --resume "$part" --checkpoint 5m --threads
         *) exit 0 ;;
     esac
 fi
-exec halfdisk render "$@" --shard "$i/$n" --out "$part" --checkpoint 5m --threads "${THREADS:-1}" --quiet
+case ${BY:-shards} in
+    seeds) set -- "$@" --seed "$i" ;;
+    *) set -- "$@" --shard "$i/$n" ;;
+esac
+exec halfdisk render "$@" --out "$part" --checkpoint 5m --threads "${THREADS:-1}" --quiet

@@ -21,7 +21,8 @@ pub(super) struct Long {
     #[arg(long, help_heading = HEADING, value_name = "TIME", value_parser = time)]
     pub checkpoint: Option<Duration>,
     /// Render only share I of N of the picture's tiles, to --out FILE.exr; `halfdisk merge` puts them together, to the
-    /// bytes of the whole picture
+    /// bytes of the whole picture. Each shard traces all paths from the lights: 8 shards of `caustic` take 2.8 times the
+    /// work of one render, by `light-tracer` 5.2 times. There, divide the samples: --seed, and `merge --seeds`
     #[arg(long, help_heading = HEADING, value_name = "I/N", conflicts_with_all = ["target_error", "time", "files", "maps"])]
     pub shard: Option<Shard>,
 }

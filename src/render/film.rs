@@ -47,6 +47,7 @@ impl Pixel {
         }
     }
 
+    // ANCHOR: merge
     /// Adds the samples of another picture of the same pixel, independent of these.
     pub(super) fn merge(&mut self, other: &Pixel) {
         for (own, its) in [
@@ -58,6 +59,7 @@ impl Pixel {
         self.in_runs += other.in_runs;
         self.taken = self.taken.saturating_add(other.taken);
     }
+    // ANCHOR_END: merge
 
     /// How many samples were added.
     pub fn count(&self) -> u64 {

@@ -59,6 +59,7 @@ impl State {
         [self.film.width(), self.film.height()]
     }
 
+    // ANCHOR: add_shard
     /// Adds a shard of the same picture: what its render knows, with its film [packed](Film::packed).
     ///
     /// # Panics
@@ -70,6 +71,7 @@ impl State {
         // What passes prepare is for all pixels, so each shard has it.
         self.tally.rays += part.tally.rays - part.tally.pass_rays;
     }
+    // ANCHOR_END: add_shard
 
     /// Adds a picture of the same scene by another seed, of as many samples: the mean of all samples of both.
     ///

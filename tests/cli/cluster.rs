@@ -92,6 +92,20 @@ fn gnu_parallel_makes_the_bytes_of_one_render() {
     assert!(output.status.success(), "{}", complaint(&output));
     assert!(std::fs::read(folder.join("a.exr")).unwrap() == whole);
     assert!(!folder.join("a.exr.parts").exists());
+    let output = bash(
+        folder,
+        &format!(
+            "BY=seeds {} 3 b.exr cornell --size 48x40 --spp 4",
+            script.display()
+        ),
+    );
+    assert!(output.status.success(), "{}", complaint(&output));
+    let info = bash(folder, "halfdisk info b.exr").stdout;
+    let info = String::from_utf8(info).unwrap();
+    assert!(
+        info.contains("average of 3 pictures, of the seeds 1-3"),
+        "{info}"
+    );
 }
 
 /// An array whose merge has the bytes of one render, and one that fails for good: its merge is cancelled.
