@@ -71,3 +71,7 @@ for n in 8 64; do
     stat -c %s part-1.exr | awk -v n="$n" -v took="$took" \
         '{ printf "  %d shards: %.1f MB each, merged in %s s (clock, processors), the same bytes\n", n, $1 / 1e6, took }'
 done
+for seed in 1 2 3 4; do
+    halfdisk render cornell --size 1920x1080 --spp 1 --sampler independent --seed "$seed" --out "seed-$seed.exr" --quiet
+done
+echo "  4 seeds merged in $(seconds halfdisk merge --seeds seed-*.exr --out merged.exr) s"
