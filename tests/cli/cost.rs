@@ -162,7 +162,7 @@ fn shares_of_the_replicates_make_one_page() {
         "out/cost/cornell/cost-1-of-2.json",
     ];
     let merged = cost(folder, &[&["cornell", "--merge"], &files[..]].concat());
-    let whole = cost(
+    cost(
         folder,
         &[&["cornell", "--out", "whole"], &settings[..]].concat(),
     );
