@@ -37,9 +37,14 @@ echo "8 shards, 2 at a time, against 1 run of 2 threads (clock, processors): pat
 compare 4 2 8 cornell --size 320x240 --spp 64 |
     awk '{ printf "  one run %s s, %s s; shards %s s, %s s; ratios %.3f, %.3f\n", $1, $2, $3, $4, $3 / $1, $4 / $2 }'
 
-echo "The same on two processors, so many at a time (clock):"
+echo "8 shards, so many at a time (clock, processors): cornell, 240x160, 64 samples"
+for _ in 1 2 3; do
+    for at in 1 2 4 8; do
+        seconds shards "$at" 8 cornell --size 240x160 --spp 64 >> "at-$at"
+    done
+done
 for at in 1 2 4 8; do
-    printf '  %s: %s s\n' "$at" "$(for _ in 1 2; do seconds shards "$at" 8 cornell --size 320x240 --spp 64; done | mean | cut -d' ' -f1)"
+    echo "  $at: $(mean < "at-$at") s"
 done
 
 echo "What every shard does again: processor time of 8 shards over that of one run, 200x150"
