@@ -2,10 +2,10 @@
 
 use crate::of_chapters::noise;
 use halfdisk::lab::experiment::cost::{
-    ALL, Budget, Design, Measured, Method, PriceList, Reach, Verdict, measure,
+    ALL, Budget, Design, Measured, Method, PriceList, Reach, Verdict, measure, measure_share,
 };
 use halfdisk::lab::experiment::named;
-use halfdisk::render::Progress;
+use halfdisk::render::{Progress, Shard};
 use halfdisk::scene::{Scene, gallery};
 use std::sync::atomic::{AtomicU64, Ordering};
 
@@ -212,4 +212,66 @@ fn s1_06_the_second_thousand_is_worth_fifty_times_the_twenty_first() {
         // Equal steps would be noticed: the test tells the one from the other.
         assert!(fall.error < 0.3 * widest, "{name}: {fall:?}");
     }
+}
+
+#[test]
+fn shares_of_the_replicates_give_what_one_run_gives() {
+    let scene = gallery::load("cornell").unwrap().sized([12, 12]);
+    let methods = ["path", "path-sobol", "clamped", "kajiya"].map(|n| Method::find(n).unwrap());
+    let design = Design {
+        replicates: 7,
+        budget: Budget::Rays(20_000),
+        ..DESIGN
+    };
+    let (whole, list) = run(&scene, &methods, &design);
+    let share = |index| {
+        let share = Shard { index, count: 3 };
+        let measured = measure_share(&scene, &methods, &design, share, &()).unwrap();
+        // By way of a file.
+        let text = serde_json::to_string(&measured).unwrap();
+        serde_json::from_str::<Measured>(&text).unwrap()
+    };
+    let shares = vec![share(1), share(2), share(3)];
+    let joined = Measured::joined(shares.clone()).unwrap();
+    assert_eq!(joined.replicates, 7);
+    for (a, b) in whole.methods.iter().zip(&joined.methods) {
+        let known = |runs: &[Vec<halfdisk::lab::experiment::cost::Run>]| -> Vec<_> {
+            let runs = runs.iter().flatten();
+            runs.map(|r| (r.square, r.top_share, r.rays, r.non_finite))
+                .collect()
+        };
+        assert_eq!(
+            known(&a.study.runs),
+            known(&b.study.runs),
+            "{}",
+            a.method.name
+        );
+    }
+    let of_shares = PriceList::new(&scene, &joined);
+    for (a, b) in list.methods.iter().zip(&of_shares.methods) {
+        let [x, y] = [a, b].map(|method| method.bias.unwrap());
+        for (x, y) in [
+            (x.square, y.square),
+            (x.mean, y.mean),
+            (x.mean_error, y.mean_error),
+        ] {
+            assert!(
+                (x - y).abs() < 1e-9 * (1.0 + x.abs()),
+                "{}: {x} {y}",
+                a.name
+            );
+        }
+    }
+    // Another order is another study, and another seed another reference.
+    let mut turned = shares.clone();
+    turned.swap(0, 2);
+    let turned = Measured::joined(turned).unwrap();
+    assert_ne!(
+        turned.methods[0].study.runs[0][0].square,
+        joined.methods[0].study.runs[0][0].square
+    );
+    let other = Design { seed: 4, ..design };
+    let first = Shard { index: 1, count: 3 };
+    let other = measure_share(&scene, &methods, &other, first, &()).unwrap();
+    assert!(Measured::joined(vec![other, shares[1].clone()]).is_none());
 }

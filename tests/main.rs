@@ -34,6 +34,7 @@ mod mutations;
 mod notation;
 mod of_chapters;
 mod pairs;
+mod parts;
 mod path;
 mod peers;
 mod photons;

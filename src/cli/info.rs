@@ -66,6 +66,14 @@ impl Display for Made {
                 "shard {shard}: a part of the picture, for halfdisk merge"
             )?;
         }
+        if !facts.seeds.is_empty() {
+            let count = facts.seeds.len();
+            let seeds = ranges(&facts.seeds);
+            writeln!(
+                f,
+                "average of {count} pictures, of the seeds {seeds}: all their samples"
+            )?;
+        }
         if let Some(fingerprint) = &facts.fingerprint {
             writeln!(f, "fingerprint of the scene: {fingerprint}")?;
         }
@@ -88,10 +96,24 @@ impl Display for Made {
             true => writeln!(f, "the command that made it is not known"),
             false => {
                 let words: Vec<String> = facts.command.iter().map(|word| quoted(word)).collect();
-                writeln!(f, "made again by: halfdisk {}", words.join(" "))
+                let what = match facts.seeds.is_empty() {
+                    true => "made again by",
+                    false => "its first picture is made again by",
+                };
+                writeln!(f, "{what}: halfdisk {}", words.join(" "))
             }
         }
     }
+}
+
+/// Rising numbers, those that follow on each other as `first-last`.
+fn ranges(numbers: &[u64]) -> String {
+    let runs = numbers.chunk_by(|a, b| a.checked_add(1) == Some(*b));
+    let text = |run: &[u64]| match run {
+        [one] => one.to_string(),
+        _ => format!("{}-{}", run[0], run[run.len() - 1]),
+    };
+    runs.map(text).collect::<Vec<_>>().join(", ")
 }
 
 /// A word as a shell reads it.

@@ -2,7 +2,8 @@
 
 use super::Stop;
 use super::stop::time;
-use crate::output::Format;
+use crate::lab::chapter::tell;
+use crate::output::{self, Format};
 use crate::render::Shard;
 use clap::Args;
 use std::path::{Path, PathBuf};
@@ -20,7 +21,8 @@ pub(super) struct Long {
     #[arg(long, help_heading = HEADING, value_name = "TIME", value_parser = time)]
     pub checkpoint: Option<Duration>,
     /// Render only share I of N of the picture's tiles, to --out FILE.exr; `halfdisk merge` puts them together, to the
-    /// bytes of the whole picture
+    /// bytes of the whole picture. Each shard traces all paths from the lights: 8 shards of `caustic` take 2.8 times the
+    /// work of one render, by `light-tracer` 5.2 times. There, divide the samples: --seed, and `merge --seeds`
     #[arg(long, help_heading = HEADING, value_name = "I/N", conflicts_with_all = ["target_error", "time", "files", "maps"])]
     pub shard: Option<Shard>,
 }
@@ -47,6 +49,16 @@ const SETTINGS: [&str; 15] = [
 ];
 
 impl Long {
+    /// Removes what was left by a render of this picture that was killed while it wrote.
+    pub fn sweep(&self, path: &Path) {
+        if self.resume.is_none() && self.checkpoint.is_none() {
+            return;
+        }
+        if let Err(what) = output::sweep(path) {
+            tell(format_args!("note: {}: {what}", path.display()));
+        }
+    }
+
     /// Only some files can be gone on with, or put together.
     pub fn check(&self, path: &Path) -> Result<(), Stop> {
         let said = match (self.checkpoint, self.shard) {

@@ -27,6 +27,7 @@ mod render;
 mod report;
 mod resume;
 mod scenes;
+mod shares;
 mod stop;
 mod tour;
 mod views;
@@ -220,7 +221,9 @@ impl From<SceneError> for Stop {
 impl From<OutputError> for Stop {
     fn from(error: OutputError) -> Self {
         match error {
-            OutputError::Format(_) | OutputError::Needed(_) => Stop::Input(error.to_string()),
+            OutputError::Format(_) | OutputError::Needed(_) | OutputError::Part(_) => {
+                Stop::Input(error.to_string())
+            }
             _ => Stop::Failure(error.to_string()),
         }
     }

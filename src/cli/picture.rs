@@ -4,12 +4,22 @@
 use super::choices::Points;
 use super::render::Render;
 use super::{Stop, stem};
-use crate::integrators::{Entry, Path as PathTracer, RarelyAsked, rarely_asked};
-use crate::output::Provenance;
-use crate::render::{self, Rendered};
+use crate::integrators::{Entry, Path as PathTracer, RarelyAsked, Shows, rarely_asked};
+use crate::output::{Display, Provenance};
+use crate::render::{self, Film, Rendered};
 use crate::sampling::stream::Sampler;
 use crate::scene::Scene;
 use std::path::PathBuf;
+
+/// How the values of a picture become shades.
+pub(super) fn display(integrator: Entry, film: &Film) -> Display {
+    match integrator.shows {
+        Shows::Light(_) => Display::Radiance,
+        Shows::Geometry { white } => Display::Data {
+            white: white.unwrap_or_else(|| film.max()),
+        },
+    }
+}
 
 impl Render {
     /// The scene, by the name that was given for it.

@@ -10,15 +10,16 @@ use super::long::Long;
 use super::maps::Maps;
 use super::patching::{Patched, Patching};
 use super::photons::{Landed, PhotonArgs};
+use super::picture::display;
 use super::report::Report;
 use super::resume::Resumed;
 use super::stop::{Ended, Ending};
 use super::views::Views;
 use super::{Stop, note_slow_build, use_threads};
-use crate::integrators::{Entry, FilteredPath, Integrator, Path as PathTracer, Settings, Shows};
+use crate::integrators::{Entry, FilteredPath, Integrator, Path as PathTracer, Settings};
 use crate::lab::chapter::{Bar, on_ctrl_c, tell, whole};
 use crate::lab::effects::measure::Setup;
-use crate::output::{self, Display, Provenance};
+use crate::output::{self, Provenance};
 use crate::render::stopping::{Outcome, render_from};
 use crate::render::{Blur, Options, Progress, State, Tally};
 use crate::scene::{Scene, gallery};
@@ -160,6 +161,7 @@ impl Render {
         let path = self.path();
         output::prepare(&path, &scene)?;
         self.long.check(&path)?;
+        self.long.sweep(&path);
         let views = self.views.of(&scene, &path)?;
         for map in self.maps.pictures(&path) {
             output::prepare(&map, &scene)?;
@@ -226,12 +228,7 @@ impl Render {
             return Err(Stop::Interrupted);
         }
         left_out.iter_mut().for_each(|l| l.see(&scene, rendered));
-        let display = match self.integrator.shows {
-            Shows::Light(_) => Display::Radiance,
-            Shows::Geometry { white } => Display::Data {
-                white: white.unwrap_or_else(|| rendered.film.max()),
-            },
-        };
+        let display = display(self.integrator, &rendered.film);
         let photons = made.photons();
         let mut landed = photons.map(|photons| Landed::new(photons, &scene, outcome.spp));
         let facts = Provenance {

@@ -23,6 +23,10 @@ impl Render {
         let name = file.display().to_string();
         let refuse = |what: String| Stop::Input(format!("--resume {name}: {what}"));
         let (facts, state) = output::made(file)?;
+        if !facts.seeds.is_empty() {
+            let what = "is an average of several seeds, and no single render goes on from it: render more seeds, and merge all";
+            return Err(refuse(what.to_owned()));
+        }
         let Some(state) = state.filter(|_| !facts.command.is_empty()) else {
             let what = "says no more than the picture: only .exr files of `halfdisk render` can be gone on with";
             return Err(refuse(what.to_owned()));

@@ -6,7 +6,7 @@ use crate::render::{Film, Pixel};
 use exr::prelude::*;
 use std::io::Cursor;
 
-pub(super) use super::state_file::read;
+pub(super) use super::state_file::{Packed, facts, read, read_packed};
 
 /// A film as an EXR file.
 ///
@@ -16,12 +16,17 @@ pub(super) use super::state_file::read;
 /// has. A pixel without one is NaN. The provenance is the text attribute `halfdisk`: a single attribute, because the
 /// order of several is not stable from run to run.
 ///
-/// With [`Provenance::tally`] it has the exact state of the render, too: see [`state_file`].
+/// With [`Provenance::tally`] it has the exact state of the render, too: see [`state_file`]. A shard's file then shows its
+/// tiles alone, one below the other, so that it takes no more than its share of room and time.
 pub fn bytes(film: &Film, provenance: &Provenance) -> std::result::Result<Vec<u8>, OutputError> {
     encode(film, provenance).map_err(|e| OutputError::Encoding("EXR".to_owned(), e))
 }
 
 fn encode(film: &Film, provenance: &Provenance) -> std::result::Result<Vec<u8>, String> {
+    let shard = provenance.shard.filter(|_| provenance.tally.is_some());
+    let picture = shard.map(|_| [film.width(), film.height()]);
+    let packed = shard.map(|shard| film.packed(shard));
+    let film = packed.as_ref().unwrap_or(film);
     let channel = |name: &str, value: &dyn Fn(&Pixel) -> f64| {
         let values: Vec<f32> = film.pixels().iter().map(|p| value(p) as f32).collect();
         AnyChannel::new(name, FlatSamples::F32(values))
@@ -45,7 +50,8 @@ fn encode(film: &Film, provenance: &Provenance) -> std::result::Result<Vec<u8>, 
         channels.extend(state_file::channels(film));
         facts.state = Some(Summary {
             tally: *tally,
-            checksum: state_file::checksum(film, provenance, tally)?,
+            picture,
+            checksum: state_file::checksum(film, provenance, tally, picture)?,
         });
     }
     let facts = serde_json::to_string(&facts).map_err(|e| e.to_string())?;

@@ -1,6 +1,6 @@
 //! Files that are whole or not there: written aside, then renamed.
 
-use std::ffi::OsStr;
+use std::ffi::{OsStr, OsString};
 use std::fs::{self, File, OpenOptions};
 use std::io::{self, ErrorKind, Write};
 use std::path::{Path, PathBuf};
@@ -43,6 +43,30 @@ pub fn save(path: &Path, bytes: &[u8]) -> io::Result<()> {
         Err(e) if e.error.kind() == ErrorKind::ResourceBusy => fs::write(&path, bytes),
         Err(e) => Err(e.error),
     }
+}
+
+/// Removes what a process that was killed while it wrote this file left beside it.
+///
+/// Not for a file that another process may be writing.
+pub fn sweep(path: &Path) -> io::Result<()> {
+    let Some((path, prefix)) = regular(path)?.and_then(|path| {
+        let prefix = aside_prefix(&path)?;
+        Some((path, prefix))
+    }) else {
+        return Ok(());
+    };
+    for entry in fs::read_dir(folder_of(&path))? {
+        let entry = entry?;
+        let name = entry.file_name();
+        let random = name
+            .as_encoded_bytes()
+            .strip_prefix(prefix.as_encoded_bytes())
+            .and_then(|rest| rest.strip_suffix(ASIDE_SUFFIX.as_bytes()));
+        if random.is_some_and(|random| random.len() == RANDOM) {
+            fs::remove_file(entry.path())?;
+        }
+    }
+    Ok(())
 }
 
 /// Writes a file into the folder for temporary files, under a name that no other file has; returns its
@@ -104,10 +128,30 @@ fn folder_of(path: &Path) -> &Path {
     }
 }
 
+/// What the names of files that are written aside begin and end with, and how many random letters they have.
+const ASIDE: &str = ".halfdisk-";
+const ASIDE_SUFFIX: &str = ".part";
+const RANDOM: usize = 6;
+/// A longer name cannot be a part of another one: names have 255 bytes at most.
+const LONGEST_NAME: usize = 200;
+
+/// What the names of files that are written aside for this one, and for no other, begin with.
+fn aside_prefix(path: &Path) -> Option<OsString> {
+    let name = path.file_name().filter(|name| name.len() <= LONGEST_NAME)?;
+    Some(
+        [OsStr::new(ASIDE), name, OsStr::new("-")]
+            .into_iter()
+            .collect(),
+    )
+}
+
 /// An empty file in the same folder, gone again unless it is renamed.
 fn aside(path: &Path) -> io::Result<NamedTempFile<File>> {
+    let prefix = aside_prefix(path);
+    let prefix = prefix.as_deref().unwrap_or(OsStr::new(ASIDE));
     let mut builder = Builder::new();
-    builder.prefix(".halfdisk-").suffix(".part");
+    builder.prefix(prefix).suffix(ASIDE_SUFFIX);
+    builder.rand_bytes(RANDOM);
     // Readable like any other new file: less what the user's mask takes away.
     #[cfg(unix)]
     builder.permissions(std::os::unix::fs::PermissionsExt::from_mode(0o666));

@@ -5,13 +5,15 @@ mod exr_file;
 mod file;
 mod hdr_file;
 mod made;
+mod parts;
 mod png_file;
 mod read;
 #[cfg(feature = "programs")]
 mod state_file;
 
-pub use file::{can_save, save};
+pub use file::{can_save, save, sweep};
 pub use made::made;
+pub use parts::{Merged, Parts, merged};
 pub use png_file::png_bytes;
 pub use read::read;
 
@@ -59,6 +61,10 @@ pub struct Provenance {
     /// The share of the picture's tiles that the file has; `None` for all.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub shard: Option<Shard>,
+    /// Of an average of the pictures of several seeds: all of them, the smallest first. `seed` and `command` are then
+    /// those of the first picture, and `spp` counts the samples of all.
+    #[serde(skip_serializing_if = "Vec::is_empty", default)]
+    pub seeds: Vec<u64>,
     /// The fingerprint of the scene: see [`Scene::fingerprint`].
     #[serde(skip_serializing_if = "Option::is_none")]
     pub fingerprint: Option<String>,
@@ -94,6 +100,7 @@ impl Provenance {
             light_paths: None,
             photons: None,
             shard: None,
+            seeds: Vec::new(),
             fingerprint: None,
             command: Vec::new(),
             tally: None,
@@ -152,6 +159,9 @@ pub enum OutputError {
          command renders the same picture"
     )]
     Lost(String, io::Error, Box<OutputError>),
+    /// A file does not fit the others of a picture.
+    #[error("{0}")]
+    Part(String),
     /// What is in the file is no picture.
     #[error("{0} {1}")]
     Reading(String, String),

@@ -5,14 +5,17 @@
 //! over them and over the facts stands in the text attribute, for the compression of the format notices only some
 //! changes.
 
-use super::Provenance;
+use super::{OutputError, Provenance};
 use crate::render::{Film, Pixel, State, Tally};
 use crate::stats::Estimate;
+use exr::meta::MetaData;
 use exr::meta::attribute::AttributeValue;
 use exr::prelude::*;
 use serde::{Deserialize, Serialize};
 use sha2::{Digest, Sha256};
+use std::fs::File;
 use std::io::Cursor;
+use std::path::Path;
 use std::result::Result;
 
 /// What the text attribute says.
@@ -31,6 +34,9 @@ pub(super) struct Facts {
 pub(super) struct Summary {
     #[serde(flatten)]
     pub tally: Tally,
+    /// The size of the picture, where the file has the tiles of a shard, one below the other.
+    #[serde(skip_serializing_if = "Option::is_none", default)]
+    pub picture: Option<[u32; 2]>,
     /// SHA-256 of all of it, as hexadecimal digits.
     pub checksum: String,
 }
@@ -118,12 +124,15 @@ pub(super) fn checksum(
     film: &Film,
     provenance: &Provenance,
     tally: &Tally,
+    picture: Option<[u32; 2]>,
 ) -> Result<String, String> {
     let facts = serde_json::to_vec(&(provenance, tally)).map_err(|e| e.to_string())?;
     let mut hash = Sha256::new();
     hash.update(film.width().to_le_bytes());
     hash.update((facts.len() as u64).to_le_bytes());
     hash.update(facts);
+    let size = picture.into_iter().flatten();
+    size.for_each(|n| hash.update(n.to_le_bytes()));
     for pixel in film.pixels() {
         numbers(pixel)
             .iter()
@@ -136,8 +145,53 @@ pub(super) fn checksum(
         .collect())
 }
 
+/// A state, with the size of the picture where it has the film of a shard.
+pub(super) type Packed = (State, Option<[u32; 2]>);
+
+/// What the text attribute of a layer says.
+fn said(attributes: &LayerAttributes) -> Result<Facts, String> {
+    let Some(AttributeValue::Text(text)) = attributes.other.get(&Text::from("halfdisk")) else {
+        return Err("was not written by halfdisk".to_owned());
+    };
+    serde_json::from_str(&text.to_string())
+        .map_err(|e| format!("was written by another version of halfdisk: {e}"))
+}
+
+/// What the head of an EXR file says made its picture, and the size of this, where it has the state of the render. Nothing
+/// is compared with the checksum, which takes all of the file.
+pub(super) fn facts(path: &Path) -> Result<(Provenance, Option<[u32; 2]>), OutputError> {
+    let name = || path.display().to_string();
+    let file = File::open(path).map_err(|e| OutputError::File(name(), e))?;
+    let head = || {
+        let data = MetaData::read_from_unbuffered(file, false)
+            .map_err(|e| format!("is no EXR picture that can be read: {e}"))?;
+        let header = data.headers.first().ok_or("has no layer")?;
+        let facts = said(&header.own_attributes)?;
+        let Vec2(width, height) = header.layer_size;
+        let own = [width as u32, height as u32];
+        let size = facts.state.map(|state| state.picture.unwrap_or(own));
+        Ok((facts.provenance, size))
+    };
+    head().map_err(|what| OutputError::Reading(name(), what))
+}
+
 /// What made the picture of an EXR file, and the exact state of its render, where the file has one.
 pub(super) fn read(bytes: &[u8]) -> Result<(Provenance, Option<State>), String> {
+    let (facts, packed) = read_packed(bytes)?;
+    let whole = |(mut state, picture): Packed| {
+        if let (Some(shard), Some(size)) = (facts.shard, picture) {
+            let mut film = Film::empty(size);
+            film.unpack(&state.film, shard);
+            state.film = film;
+        }
+        state
+    };
+    let state = packed.map(whole);
+    Ok((facts, state))
+}
+
+/// The same with the film of a shard as it is in the file, [packed](Film::packed), and the size of its picture.
+pub(super) fn read_packed(bytes: &[u8]) -> Result<(Provenance, Option<Packed>), String> {
     let image = exr::prelude::read()
         .no_deep_data()
         .largest_resolution_level()
@@ -148,14 +202,10 @@ pub(super) fn read(bytes: &[u8]) -> Result<(Provenance, Option<State>), String> 
         .from_buffered(Cursor::new(bytes))
         .map_err(|e| format!("is no EXR picture that can be read: {e}"))?;
     let layer = image.layer_data;
-    let Some(AttributeValue::Text(text)) = layer.attributes.other.get(&Text::from("halfdisk"))
-    else {
-        return Err("was not written by halfdisk".to_owned());
-    };
-    let facts: Facts = serde_json::from_str(&text.to_string())
-        .map_err(|e| format!("was written by another version of halfdisk: {e}"))?;
+    let facts = said(&layer.attributes)?;
     let Some(Summary {
         tally,
+        picture,
         checksum: expected,
     }) = facts.state
     else {
@@ -186,8 +236,14 @@ pub(super) fn read(bytes: &[u8]) -> Result<(Provenance, Option<State>), String> 
         }
     }
     let film = Film::new(size.width() as u32, pixels.iter().map(pixel).collect());
-    match checksum(&film, &facts.provenance, &tally)? == expected {
-        true => Ok((facts.provenance, Some(State { film, tally }))),
+    let own = [film.width(), film.height()];
+    let fits = match (facts.provenance.shard, picture) {
+        (Some(shard), Some(size)) => own == Film::packed_size(shard, size),
+        (None, None) => true,
+        _ => false,
+    };
+    match fits && checksum(&film, &facts.provenance, &tally, picture)? == expected {
+        true => Ok((facts.provenance, Some((State { film, tally }, picture)))),
         false => Err("is damaged: what it says of its render does not fit its checksum".to_owned()),
     }
 }

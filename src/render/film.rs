@@ -1,6 +1,6 @@
 //! What the samples add up to.
 
-use super::Picture;
+use super::{Picture, Shard};
 use crate::color::Rgb;
 use crate::stats::Estimate;
 use std::ops::Range;
@@ -46,6 +46,20 @@ impl Pixel {
             runs.add(all.mean() + (all.mean() - start) * before as f64 / (n - before) as f64);
         }
     }
+
+    // ANCHOR: merge
+    /// Adds the samples of another picture of the same pixel, independent of these.
+    pub(super) fn merge(&mut self, other: &Pixel) {
+        for (own, its) in [
+            (&mut self.channels, &other.channels),
+            (&mut self.runs, &other.runs),
+        ] {
+            own.iter_mut().zip(its).for_each(|(a, b)| *a = a.merge(b));
+        }
+        self.in_runs += other.in_runs;
+        self.taken = self.taken.saturating_add(other.taken);
+    }
+    // ANCHOR_END: merge
 
     /// How many samples were added.
     pub fn count(&self) -> u64 {
@@ -117,9 +131,61 @@ impl Film {
         &self.pixels
     }
 
+    /// The same, to be changed.
+    pub(super) fn pixels_mut(&mut self) -> &mut [Pixel] {
+        &mut self.pixels
+    }
+
     /// The pixel in column `x` from the left and row `y` from the top.
     pub fn pixel(&self, x: u32, y: u32) -> &Pixel {
         &self.pixels[y as usize * self.width as usize + x as usize]
+    }
+
+    /// The pixel in column `x` and row `y`, to be changed.
+    pub(super) fn pixel_mut(&mut self, [x, y]: [u32; 2]) -> &mut Pixel {
+        &mut self.pixels[y as usize * self.width as usize + x as usize]
+    }
+
+    /// The tiles of a shard one below the other, each filled up to a square: all that a picture has of which no more was
+    /// rendered.
+    #[must_use]
+    pub fn packed(&self, shard: Shard) -> Film {
+        let size = [self.width, self.height()];
+        let [width, height] = Film::packed_size(shard, size);
+        let mut packed = Film::empty([width, height]);
+        for [from, to] in shard.places(size) {
+            *packed.pixel_mut(to) = *self.pixel(from[0], from[1]);
+        }
+        packed
+    }
+
+    /// The size of [`Film::packed`] of a picture of this size.
+    pub(crate) fn packed_size(shard: Shard, size: [u32; 2]) -> [u32; 2] {
+        let tiles = shard.tiles(size).count() as u32;
+        // A shard may have no tile, but no picture has no pixel.
+        [Shard::TILE, (tiles * Shard::TILE).max(1)]
+    }
+
+    /// Puts the pixels of a shard from [`Film::packed`] in their places.
+    ///
+    /// # Panics
+    ///
+    /// Where that was packed from a picture of another size.
+    pub fn unpack(&mut self, packed: &Film, shard: Shard) {
+        let size = [self.width, self.height()];
+        let packed_size = [packed.width, packed.height()];
+        assert_eq!(packed_size, Film::packed_size(shard, size));
+        for [to, from] in shard.places(size) {
+            *self.pixel_mut(to) = *packed.pixel(from[0], from[1]);
+        }
+    }
+
+    /// A film without any sample.
+    pub(crate) fn empty([width, height]: [u32; 2]) -> Film {
+        Film::new(
+            width,
+            vec![Pixel::default(); width as usize * height as usize],
+        )
     }
 
     /// Some of its rows, as a picture of its own.

@@ -30,6 +30,7 @@ pub use options::Options;
 pub use picture::Picture;
 pub use progress::Progress;
 pub use recorder::{Recorded, Recorder};
+pub(crate) use rendered::known_mean;
 pub use rendered::{Rendered, rounding};
 pub use shard::Shard;
 pub use state::{State, Tally};

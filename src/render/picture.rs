@@ -3,7 +3,7 @@
 use super::{Film, Pixel};
 
 /// What is left of a film when only values and errors count; also what a file of an image holds.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, serde::Serialize, serde::Deserialize)]
 pub struct Picture {
     /// Width and height in pixels.
     pub size: [u32; 2],

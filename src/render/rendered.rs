@@ -2,7 +2,7 @@
 
 use super::{BadSample, Faults, Film, Pixel};
 use crate::scene::RayCounts;
-use crate::stats::Estimate;
+use crate::stats::{Estimate, Measurement};
 use std::time::Duration;
 
 /// A finished or interrupted render.
@@ -49,21 +49,28 @@ impl Rendered {
     /// Where light of one path comes to many pixels, these are not independent, and the means of whole passes
     /// tell the error.
     pub fn mean(&self) -> (f64, f64) {
-        let (mean, of_pixels) = self.film.mean();
         let samples = self.film.pixels().iter().map(|pixel| pixel.count()).max();
-        let error = match &self.passes {
+        let of_passes = match &self.passes {
             // All passes are alike, though those of a render that went on are known only from there.
             passes if passes.count() >= 2 => {
-                of_pixels.max((passes.variance() / samples.unwrap_or(1) as f64).sqrt())
+                (passes.variance() / samples.unwrap_or(1) as f64).sqrt()
             }
-            _ => of_pixels,
+            _ => 0.0,
         };
-        let least = match mean {
-            0.0 => f64::INFINITY,
-            _ => mean.abs() * rounding(&self.rays),
-        };
-        (mean, error.max(least))
+        let Measurement { value, error } = known_mean(&self.film, of_passes, &self.rays);
+        (value, error)
     }
+}
+
+/// The mean of a film and its error, which is at least that by whole pictures, however independent its pixels seem, and that
+/// of rounding; infinite where there is no light.
+pub(crate) fn known_mean(film: &Film, of_pictures: f64, rays: &RayCounts) -> Measurement {
+    let (mean, of_pixels) = film.mean();
+    let least = match mean {
+        0.0 => f64::INFINITY,
+        _ => mean.abs() * rounding(rays),
+    };
+    (mean, of_pixels.max(of_pictures).max(least)).into()
 }
 
 /// The relative error below which the scatter of samples says nothing: each sample is a product and a

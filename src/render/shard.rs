@@ -33,6 +33,15 @@ impl Shard {
         all.filter(move |(number, _)| self.has(*number))
             .map(|(_, tile)| tile)
     }
+
+    /// Its pixels, by column and row: in a picture of this size, and where its tiles stand one below the other.
+    pub(super) fn places(self, size: [u32; 2]) -> impl Iterator<Item = [[u32; 2]; 2]> {
+        let tiles = self.tiles(size).zip((0..).step_by(Shard::TILE as usize));
+        tiles.flat_map(|([x, y], row)| {
+            let (left, top) = (x.start, y.start);
+            y.flat_map(move |y| x.clone().map(move |x| [[x, y], [x - left, row + y - top]]))
+        })
+    }
 }
 
 /// The columns and rows of the tiles of a picture, row by row.

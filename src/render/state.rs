@@ -2,9 +2,9 @@
 
 use super::watch::Watch;
 use super::{BadSample, Faults, Film, Rendered, Shard};
+use crate::sampling::stream::Sampler;
 use crate::scene::RayCounts;
 use crate::stats::Estimate;
-use std::ops::Range;
 
 /// A render between two samples, from what it leaves ([`Rendered`]): [`Session::resume`](super::Session::resume) goes on
 /// from it.
@@ -41,55 +41,75 @@ impl State {
     /// pixel, for a small picture may have fewer tiles than shards.
     pub fn spp(&self, shard: Option<Shard>) -> u32 {
         let film = &self.film;
-        let least = |[x, y]: [Range<u32>; 2]| {
-            let pixels = y.flat_map(|y| x.clone().map(move |x| film.pixel(x, y).taken));
-            pixels.min()
-        };
         let shard = shard.unwrap_or(Shard { index: 1, count: 1 });
-        let tiles = shard.tiles([film.width(), film.height()]);
-        tiles.filter_map(least).min().unwrap_or(u32::MAX)
+        let places = shard.places(self.size());
+        let taken = places.map(|[[x, y], _]| film.pixel(x, y).taken);
+        taken.min().unwrap_or(u32::MAX)
     }
 
-    /// The state of a picture from those of its shards, in the order of their numbers.
+    /// The same of a shard with its film [packed](Film::packed) from a picture of this size.
+    pub(crate) fn packed_spp(&self, shard: Shard, size: [u32; 2]) -> u32 {
+        let places = shard.places(size);
+        let taken = places.map(|[_, [x, y]]| self.film.pixel(x, y).taken);
+        taken.min().unwrap_or(u32::MAX)
+    }
+
+    /// Width and height of its picture.
+    pub fn size(&self) -> [u32; 2] {
+        [self.film.width(), self.film.height()]
+    }
+
+    // ANCHOR: add_shard
+    /// Adds a shard of the same picture: what its render knows, with its film [packed](Film::packed).
     ///
     /// # Panics
     ///
-    /// Where there are none, or their pictures differ in size.
-    #[must_use]
-    pub fn of_shards(parts: &[State]) -> State {
-        let size = [parts[0].film.width(), parts[0].film.height()];
-        let mut pixels = parts[0].film.pixels().to_vec();
-        let mut tally = parts[0].tally;
-        for (part, index) in parts.iter().zip(1..).skip(1) {
-            assert_eq!([part.film.width(), part.film.height()], size);
-            let count = parts.len() as u32;
-            for [x, y] in (Shard { index, count }).tiles(size) {
-                for (x, y) in y.flat_map(|y| x.clone().map(move |x| (x, y))) {
-                    pixels[(y * size[0] + x) as usize] = *part.film.pixel(x, y);
+    /// Where that was packed from a picture of another size.
+    pub fn add_shard(&mut self, part: &State, shard: Shard) {
+        self.film.unpack(&part.film, shard);
+        self.tally.join(&part.tally);
+        // What passes prepare is for all pixels, so each shard has it.
+        self.tally.rays += part.tally.rays - part.tally.pass_rays;
+    }
+    // ANCHOR_END: add_shard
+
+    /// Adds a picture of the same scene by another seed, of as many samples: the mean of all samples of both.
+    ///
+    /// Samples that lie evenly tell their error by runs of one length, and those of two seeds are independent, so each
+    /// pixel has the runs of both. A picture too short for a run is one itself.
+    ///
+    /// # Panics
+    ///
+    /// Where their pictures differ in size.
+    pub fn add_seed(&mut self, other: &State, sampler: Sampler) {
+        assert_eq!(self.size(), other.size());
+        let pixels = self.film.pixels_mut().iter_mut();
+        for (pixel, its) in pixels.zip(other.film.pixels()) {
+            let mut its = *its;
+            if sampler == Sampler::Sobol {
+                for pixel in [&mut *pixel, &mut its] {
+                    if pixel.in_runs == 0 {
+                        pixel.end_run(false);
+                    }
                 }
             }
-            tally.join(&part.tally);
+            pixel.merge(&its);
         }
-        let film = Film::new(size[0], pixels);
-        State { film, tally }
+        self.tally.join(&other.tally);
+        self.tally.rays += other.tally.rays;
+        self.tally.pass_rays += other.tally.pass_rays;
     }
 }
 
 impl Tally {
-    /// What both know of their shards of a picture. What passes prepare is for all pixels, so each of them has it.
+    /// What samples of both were, but for their rays.
     fn join(&mut self, other: &Tally) {
-        let (mut one, mut all) = (Watch::from(*self), self.rays);
+        let mut one = Watch::from(*self);
         one.join(Watch::from(*other));
-        all += other.rays - other.pass_rays;
-        *self = Tally {
-            rays: all,
-            pass_rays: self.pass_rays,
-            passes: self.passes,
-            faults: one.faults,
-            first_bad: one.first,
-            largest: one.largest,
-            lights_met: self.lights_met | other.lights_met,
-        };
+        self.faults = one.faults;
+        self.first_bad = one.first;
+        self.largest = one.largest;
+        self.lights_met |= other.lights_met;
     }
 }
 

@@ -112,6 +112,7 @@ impl Estimate {
         self.m2 += delta * (x - self.mean);
     }
 
+    // ANCHOR: merge
     /// The estimate of both sets of samples together.
     #[must_use]
     pub fn merge(&self, other: &Estimate) -> Estimate {
@@ -130,6 +131,7 @@ impl Estimate {
             m2: self.m2 + other.m2 + delta * delta * self.count as f64 * share,
         }
     }
+    // ANCHOR_END: merge
 
     /// How many samples, their mean, and the sum of their squared distances from it: all that
     /// [`Estimate::from_parts`] needs for the same estimate.

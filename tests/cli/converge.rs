@@ -246,3 +246,74 @@ fn of_one_run_alone_neither_error_nor_variance_is_known() {
         assert!(!two.contains("unknown"), "{two}");
     }
 }
+
+#[test]
+fn shares_of_the_replicates_make_the_bytes_of_one_run() {
+    let folder = folder();
+    let folder = folder.path();
+    let names = [
+        "half-disk",
+        "step",
+        "--replicates",
+        "10",
+        "--doublings",
+        "4",
+    ];
+    let whole = converge(folder, &[&names[..], &["--out", "whole"]].concat());
+    let share = |settings: &[&str], shard: &str, out: &str| {
+        converge(
+            folder,
+            &[settings, &["--shard", shard, "--out", out]].concat(),
+        );
+        let shard = shard.replace('/', "-of-");
+        format!("{out}/{}+{}-{shard}.json", settings[0], settings[1])
+    };
+    let mut parts = ["1/3", "2/3", "3/3"].map(|shard| share(&names, shard, "parts"));
+    parts.reverse();
+    let [three, two, one] = parts.each_ref().map(String::as_str);
+    let merged = converge(folder, &["--merge", three, two, one, "--out", "merged"]);
+    assert_eq!(merged, whole);
+    for ending in ["csv", "json", "svg", "png"] {
+        let [a, b] = ["whole", "merged"].map(|out| {
+            std::fs::read(folder.join(format!("{out}/half-disk+step.{ending}"))).unwrap()
+        });
+        assert!(a == b, "{ending}");
+    }
+    let seed = share(&[&names[..], &["--seed", "2"]].concat(), "2/3", "seed");
+    let two_of_four = share(&names, "2/4", "four");
+    let text = std::fs::read_to_string(folder.join(two)).unwrap();
+    let broken = text.replacen('7', "8", 1);
+    std::fs::write(folder.join("broken.json"), broken).unwrap();
+    std::fs::write(folder.join("cut.json"), &text[..text.len() / 2]).unwrap();
+    for (files, said) in [
+        (&[one, three][..], "missing: the shares 2/3".to_owned()),
+        (
+            &[one, two, three, two],
+            format!("{two}: is share 2/3, as {two} is"),
+        ),
+        (
+            &[one, &seed, three],
+            format!("{seed}: measures something else than {one}"),
+        ),
+        (
+            &[one, &two_of_four],
+            format!("{two_of_four}: is one of 4 shares, {one} one of 3"),
+        ),
+        (
+            &[one, "broken.json", three],
+            "broken.json: is damaged".to_owned(),
+        ),
+        (
+            &[one, "cut.json", three],
+            "cut.json: is no share of this command: EOF".to_owned(),
+        ),
+        (
+            &["whole/half-disk+step.json"],
+            "is no share of this command".to_owned(),
+        ),
+        (&["nix.json"], "nix.json: ".to_owned()),
+    ] {
+        let sentence = refused(folder, &[&["converge", "--merge"], files].concat(), 2);
+        assert!(sentence.contains(&said), "{files:?}: {sentence}");
+    }
+}

@@ -144,3 +144,63 @@ fn ctrl_c_keeps_what_is_complete() {
         );
     }
 }
+
+#[test]
+fn shares_of_the_replicates_make_one_page() {
+    let folder = folder();
+    let folder = folder.path();
+    let settings = "--size 16x16 --replicates 3 --methods path,clamped --rays 20000";
+    let settings: Vec<&str> = settings.split(' ').collect();
+    for shard in ["1/2", "2/2"] {
+        cost(
+            folder,
+            &[&["cornell", "--shard", shard], &settings[..]].concat(),
+        );
+    }
+    let files = [
+        "out/cost/cornell/cost-2-of-2.json",
+        "out/cost/cornell/cost-1-of-2.json",
+    ];
+    let merged = cost(folder, &[&["cornell", "--merge"], &files[..]].concat());
+    cost(
+        folder,
+        &[&["cornell", "--out", "whole"], &settings[..]].concat(),
+    );
+    assert!(
+        merged.starts_with("cornell, 16 x 16, 3 replicates"),
+        "{merged}"
+    );
+    // But for seconds they are the same.
+    let numbers = |file: &str| -> Vec<String> {
+        let csv = std::fs::read_to_string(folder.join(file)).unwrap();
+        let columns = csv
+            .lines()
+            .map(|line| line.split(',').take(3).collect::<Vec<_>>());
+        columns.map(|columns| columns.join(",")).collect()
+    };
+    assert_eq!(
+        numbers("out/cost/cornell/cost.csv"),
+        numbers("whole/cost.csv")
+    );
+    assert!(folder.join("out/cost/cornell/index.html").exists());
+    for (arguments, said) in [
+        (
+            vec!["cornell", "--merge", files[0]],
+            "missing: the shares 1/2",
+        ),
+        (
+            vec!["furnace", "--merge", files[0], files[1]],
+            "the shares are of another scene than furnace",
+        ),
+    ] {
+        let sentence = refused(folder, &[&["cost"], &arguments[..]].concat(), 2);
+        assert!(sentence.contains(said), "{sentence}");
+    }
+    let output = halfdisk(folder, &["cost", "cornell", "--shard", "1/2"]);
+    assert_eq!(output.status.code(), Some(2));
+    assert!(
+        complaint(&output).contains("--rays <RAYS>"),
+        "{}",
+        complaint(&output)
+    );
+}

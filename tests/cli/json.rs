@@ -152,6 +152,14 @@ fn the_page_lists_every_key_of_every_command_with_its_types() {
     let tables = tables(&std::fs::read_to_string(page).unwrap());
     let folder = folder();
     std::fs::write(folder.path().join("mine.toml"), SCENE).unwrap();
+    for made in [
+        "render cornell --size 8x8 --spp 1 --out 0.exr -q",
+        "render cornell --size 8x8 --spp 1 --seed 1 --out 1.exr -q",
+        "merge --seeds 0.exr 1.exr --out average.exr",
+    ] {
+        let words: Vec<&str> = made.split(' ').collect();
+        assert!(halfdisk(folder.path(), &words).status.success());
+    }
     let commands: [(&str, &[&str]); 10] = [
         ("scenes", &["scenes"]),
         ("doctor", &["doctor --space flat"]),
@@ -193,6 +201,7 @@ fn the_page_lists_every_key_of_every_command_with_its_types() {
             &[
                 "info s.exr",
                 "info caustic.exr",
+                "info average.exr",
                 "info out/mine-photons.png",
             ],
         ),

@@ -2,6 +2,7 @@
 
 mod bad_meshes;
 mod bad_scenes;
+mod cluster;
 mod commands;
 mod converge;
 mod cost;

@@ -199,3 +199,38 @@ fn a_picture_says_how_it_is_made_again() {
     let output = halfdisk(folder, &["info", "b.png"]);
     assert!(complaint(&output).contains("b.png is no PNG picture that can be read"));
 }
+
+#[test]
+fn what_a_killed_render_left_is_swept_away_by_the_next() {
+    let folder = folder();
+    let folder = folder.path();
+    let begin = "render spheres --size 8x6 --spp 2 --out a.exr -q";
+    done(folder, begin);
+    // That of this file, that of another one, and what nobody wrote aside.
+    let (own, others) = (
+        ".halfdisk-a.exr-aB3xY9.part",
+        [
+            ".halfdisk-a.exr-b.exr-aB3xY9.part",
+            ".halfdisk-a.exr-note.part.txt",
+        ],
+    );
+    for arguments in [
+        "render --resume a.exr --spp 4 -q",
+        "render spheres --size 8x6 --spp 2 --out a.exr -q --checkpoint 1h",
+    ] {
+        for name in [&[own][..], &others].concat() {
+            fs::write(folder.join(name), "half a pict").unwrap();
+        }
+        done(folder, begin);
+        assert!(
+            folder.join(own).exists(),
+            "another process may be writing it"
+        );
+        done(folder, arguments);
+        assert!(!folder.join(own).exists(), "{arguments}");
+        assert!(
+            others.iter().all(|name| folder.join(name).exists()),
+            "{arguments}"
+        );
+    }
+}

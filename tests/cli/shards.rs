@@ -1,6 +1,6 @@
 //! Pictures that are made in parts.
 
-use super::{SCENE, complaint, folder, halfdisk};
+use super::{SCENE, complaint, folder, halfdisk, shades};
 use std::fs;
 use std::path::Path;
 
@@ -44,6 +44,7 @@ fn shards_make_the_bytes_of_the_whole_picture() {
             &[2, 7],
         ),
         ("mixture --size 40x40 --spp 4 --paths L(D|S)+E", &[3]),
+        ("spheres --size 40x40 --spp 1 --integrator depth", &[3]),
     ] {
         run(folder, &format!("render {settings} --out whole.exr -q")).unwrap();
         for &count in counts {
@@ -58,6 +59,19 @@ fn shards_make_the_bytes_of_the_whole_picture() {
                 ["whole.exr", "merged.exr"].map(|f| fs::read(folder.join(f)).unwrap());
             assert!(whole == merged, "{settings}, {count} shards");
         }
+        // Shades, too, where they are no radiance.
+        run(folder, &format!("render {settings} --out whole.png -q")).unwrap();
+        let count = counts[counts.len() - 1];
+        let parts: Vec<_> = (1..=count)
+            .map(|i| format!("part-{i}-of-{count}.exr"))
+            .collect();
+        run(
+            folder,
+            &format!("merge {} --out merged.png", parts.join(" ")),
+        )
+        .unwrap();
+        let [whole, merged] = ["whole.png", "merged.png"].map(|f| shades(&folder.join(f)));
+        assert!(whole == merged, "{settings}");
     }
 }
 
@@ -149,6 +163,102 @@ fn parts_that_do_not_fit_are_refused_by_name() {
     let refused = run(folder, "render mine.toml --shard 1/2 --out a.png").unwrap_err();
     assert!(
         refused.contains("--shard: only .exr files can be put together, not a.png"),
+        "{refused}"
+    );
+}
+
+#[test]
+fn a_class_averages_its_seeds() {
+    let folder = folder();
+    let folder = folder.path();
+    let seeds = [12, 3, 4, 5];
+    let files: Vec<String> = seeds
+        .map(|seed| {
+            // Everybody has a copy of the scene in a place of their own.
+            fs::create_dir_all(folder.join(seed.to_string())).unwrap();
+            fs::write(folder.join(format!("{seed}/mine.toml")), SCENE).unwrap();
+            let file = format!("seed-{seed}.exr");
+            let settings = format!("{seed}/mine.toml --spp 5 --seed {seed}");
+            run(folder, &format!("render {settings} --out {file} -q")).unwrap();
+            file
+        })
+        .to_vec();
+    let mut turned = files.clone();
+    turned.reverse();
+    let merge = |files: &[String], out: &str| {
+        let files = files.join(" ");
+        let output = halfdisk(
+            folder,
+            &format!("merge --seeds {files} --out {out}")
+                .split(' ')
+                .collect::<Vec<_>>(),
+        );
+        assert!(output.status.success(), "{}", complaint(&output));
+        complaint(&output)
+    };
+    let said = merge(&files, "a.exr");
+    assert!(
+        said.starts_with("wrote a.exr of 4 seeds: 20 samples per pixel, noise "),
+        "{said}"
+    );
+    assert!(
+        said.contains(" %, mean 0.") && said.contains(" ± 0.0"),
+        "{said}"
+    );
+    merge(&turned, "b.exr");
+    let [a, b] = ["a.exr", "b.exr"].map(|file| fs::read(folder.join(file)).unwrap());
+    assert!(a == b, "the order of the files");
+    merge(&files, "a.png");
+    let info = halfdisk(folder, &["info", "a.exr"]);
+    let said = String::from_utf8(info.stdout).unwrap();
+    assert!(
+        said.contains("20 samples per pixel, seed 3")
+            && said.contains("average of 4 pictures, of the seeds 3-5, 12: all their samples")
+            && said.contains("its first picture is made again by: halfdisk render 3/mine.toml"),
+        "{said}"
+    );
+    let part = |settings: &str, file: &str| {
+        run(folder, &format!("render {settings} --out {file} -q")).unwrap()
+    };
+    part("3/mine.toml --spp 5 --seed 6 --shard 1/2", "shard.exr");
+    part(
+        "3/mine.toml --spp 5 --seed 6 --integrator combine",
+        "other.exr",
+    );
+    part(
+        "3/mine.toml --spp 5 --seed 6 --sampler independent",
+        "sampler.exr",
+    );
+    part("3/mine.toml --spp 5 --seed 6", "flat.png");
+    let again = "again.exr";
+    fs::copy(folder.join(&files[0]), folder.join(again)).unwrap();
+    for (part, said) in [
+        (again, "again.exr: has seed 12, as seed-12.exr has"),
+        ("a.exr", "a.exr: is an average of several seeds already"),
+        ("shard.exr", "shard.exr: is a shard"),
+        ("flat.png", "flat.png: says no more than the picture"),
+        (
+            "other.exr",
+            "other.exr: has another integrator, combine rather than path, than that of seed-12.exr",
+        ),
+        ("sampler.exr", "sampler.exr: has other settings"),
+    ] {
+        let merge = format!("merge --seeds {} {part} --out m.exr", files.join(" "));
+        let refused = run(folder, &merge).unwrap_err();
+        assert!(refused.contains(said), "{part}: {refused}");
+        assert!(!folder.join("m.exr").exists(), "{part}");
+    }
+    let merge = format!("merge --seeds {} --out m.exr", files[0]);
+    let refused = run(folder, &merge).unwrap_err();
+    assert!(
+        refused.contains("seed-12.exr: is the only one"),
+        "{refused}"
+    );
+    let refused = run(folder, &format!("merge {} --out m.exr", files[0])).unwrap_err();
+    assert!(refused.contains("seed-12.exr: is no shard"), "{refused}");
+    let refused = run(folder, "render --resume a.exr --spp 40").unwrap_err();
+    assert!(
+        refused.contains("--resume a.exr: is an average of several seeds"),
         "{refused}"
     );
 }

@@ -1,8 +1,10 @@
 //! `halfdisk cost`.
 
 mod page;
+mod share;
 mod text;
 
+use self::share::Shared;
 use super::answer::{answer, to_json};
 use super::choices::size;
 use super::{
@@ -11,11 +13,11 @@ use super::{
 use crate::lab::chapter::{Bar, on_ctrl_c, tell, whole};
 use crate::lab::experiment::cost::strip::{Shown, affordable, needed, show};
 use crate::lab::experiment::cost::{
-    ALL, BASE, Budget, Design, Measured, Method, Nothing, PriceList, Priced, Verdict, measure,
+    ALL, BASE, Budget, Design, Measured, Method, Nothing, PriceList, Priced, Verdict, measure_share,
 };
 use crate::lab::figures::{Against, cost_chart};
 use crate::output::{self, Display as Shades, Provenance, png_bytes};
-use crate::render::Progress;
+use crate::render::{Progress, Shard};
 use crate::scene::{Scene, gallery};
 use clap::Args;
 use serde::Serialize;
@@ -42,6 +44,15 @@ pub struct Cost {
     /// Seconds for all of it, about
     #[arg(long, default_value_t = 120.0, value_name = "SECONDS", allow_negative_numbers = true, value_parser = budget)]
     budget: f64,
+    /// In place of --budget: rays of each method's largest picture. The same samples on every machine
+    #[arg(long, value_name = "RAYS", conflicts_with = "budget", value_parser = whole(1_u64..=1 << 40))]
+    rays: Option<u64>,
+    /// Measure only share I of N of the replicates, to DIR/cost-I-of-N.json: on N machines of one kind
+    #[arg(long, value_name = "I/N", requires = "rays", conflicts_with = "json")]
+    shard: Option<Shard>,
+    /// Put the files of all shares together, and draw their page
+    #[arg(long, value_name = "FILE", num_args = 1.., conflicts_with_all = ["methods", "replicates", "budget", "rays", "size", "seed", "shard"])]
+    merge: Vec<PathBuf>,
     /// Image size in pixels for the measurement, such as 96x64 [default: the scene's shape, 64 pixels
     /// at its longer side]
     #[arg(long, value_name = "WxH", value_parser = size)]
@@ -68,7 +79,10 @@ Examples:
   halfdisk cost veach --methods kajiya,next-event,combine
       chance, aim, and both
   halfdisk cost mine.toml --budget 600 --size 128x128
-      a scene of your own, in ten minutes";
+      a scene of your own, in ten minutes
+  halfdisk cost mine.toml --rays 20000000 --replicates 40 --shard 3/8     (1/8, 2/8 ... elsewhere)
+  halfdisk cost mine.toml --merge out/cost/mine/cost-*-of-8.json
+      on eight machines of one kind; each makes the reference for itself";
 
 /// The longer side of the pictures that are measured, where nobody says otherwise.
 const SIDE: u32 = 64;
@@ -130,19 +144,39 @@ impl Cost {
         note_slow_build();
         let scene = gallery::load(&self.scene)?;
         let full = scene.size;
-        let scene = scene.sized(self.size.unwrap_or_else(|| small(full)));
-        let (methods, left_out) = self.methods(&scene)?;
+        let (shared, measured) = match self.merge.as_slice() {
+            [] => (None, None),
+            files => share::merged(&self.scene, &scene, files).map(|(a, b)| (Some(a), Some(b)))?,
+        };
+        let size = shared.as_ref().map(|shared| shared.size).or(self.size);
+        let scene = scene.sized(size.unwrap_or_else(|| small(full)));
+        let (methods, left_out) = match &shared {
+            Some(shared) => (shared.methods.clone(), LeftOut::new()),
+            None => self.methods(&scene)?,
+        };
         let folder = self.folder(&scene, &methods)?;
         use_threads(None)?;
         let stop = on_ctrl_c();
         let design = Design {
-            replicates: self.replicates,
+            replicates: shared.as_ref().map_or(self.replicates, |s| s.replicates),
             threads: Some(usize::from(self.threads)),
-            seed: self.seed,
+            seed: shared.as_ref().map_or(self.seed, |s| s.seed),
             ..Design::default()
-        }
-        .within(self.budget, &methods);
-        let measured = measure(&scene, &methods, &design, &Bar::new(&scene.name, stop));
+        };
+        let design = match shared.map(|s| s.rays).or(self.rays) {
+            Some(rays) => Design {
+                budget: Budget::Rays(rays),
+                ..design
+            },
+            None => design.within(self.budget, &methods),
+        };
+        let all = Shard { index: 1, count: 1 };
+        let bar = Bar::new(&scene.name, stop);
+        let measure = || {
+            let own = self.shard.unwrap_or(all);
+            measure_share(&scene, &methods, &design, own, &bar)
+        };
+        let measured = measured.map_or_else(measure, Ok);
         let measured = measured.map_err(|nothing| match nothing {
             Nothing::Stopped => {
                 tell("interrupted before the first replicate was finished: nothing is written");
@@ -150,6 +184,17 @@ impl Cost {
             }
             Nothing::Threads(_) => Stop::Failure(nothing.to_string()),
         })?;
+        if let (Some(shard), Some(rays)) = (self.shard, self.rays) {
+            let shared = Shared {
+                fingerprint: scene.fingerprint().ok(),
+                size: scene.size,
+                replicates: self.replicates,
+                seed: self.seed,
+                rays,
+                methods,
+            };
+            return share::write(&folder, shard, shared, measured);
+        }
         let mut report = Report {
             list: PriceList::new(&scene, &measured),
             full,

@@ -1,7 +1,7 @@
 //! How fast does an estimator's error fall? A [`Study`] of many runs at many sizes, and a line.
 
 use super::study::{Study, seed_of};
-use crate::render::Progress;
+use crate::render::{Progress, Shard};
 use crate::sampling::stream::{Numbers, Purpose, Stream};
 use crate::stats::slope::{Fit, Insufficient};
 use crate::stats::{Estimate, Measurement};
@@ -196,20 +196,34 @@ pub fn converge_watched(
     design: &Design,
     progress: &impl Progress,
 ) -> Option<Convergence> {
-    let sizes = estimator.sizes.list(design);
+    let all = Shard { index: 1, count: 1 };
+    of_errors(estimator, design, errors(estimator, design, all, progress))
+}
+
+/// The errors of every n-th replicate at each size, of `n` shares of all: what [`of_errors`] makes a convergence of, when
+/// those of all shares stand in their order. Once asked to stop, it gives the first ones, as many as are finished
+/// without a gap.
+pub fn errors(
+    estimator: &Estimator<impl Fn(u32, u64) -> f64 + Clone + Send + Sync + 'static>,
+    design: &Design,
+    share: Shard,
+    progress: &impl Progress,
+) -> Vec<Vec<f64>> {
     let (sender, finished) = mpsc::channel();
     let next = AtomicU32::new(0);
-    let count = design.replicates;
+    let Shard { index, count: n } = share;
+    let count = (index - 1..design.replicates).step_by(n as usize).len() as u32;
     let one = {
-        let (estimator, design, sizes) = (estimator.clone(), *design, sizes.clone());
-        move |r| replicate(&estimator, &design, &sizes, r)
+        let (estimator, design) = (estimator.clone(), *design);
+        let sizes = estimator.sizes.list(&design);
+        move |k| replicate(&estimator, &design, &sizes, index - 1 + k * n)
     };
     let tell = |done| progress.tell(done, u64::from(count));
     // On the web it is this question that starts the pool, whose only thread is then the one that asks.
     if rayon::current_num_threads() > 0 && rayon::current_thread_index().is_some() {
         let wanted = (0..count).take_while(|_| !progress.stop());
         let runs = wanted.map(one).zip(1..).inspect(|(_, done)| tell(*done));
-        return kept(estimator, sizes, runs.map(|(row, _)| row).collect());
+        return runs.map(|(row, _)| row).collect();
     }
     // Handed out in the order of their numbers, so that there are few gaps.
     rayon::spawn_broadcast(move |_| {
@@ -232,13 +246,18 @@ pub fn converge_watched(
             Err(RecvTimeoutError::Disconnected) => break,
         }
     }
-    let runs = (0..).map_while(|r| errors.remove(&r)).collect();
-    kept(estimator, sizes, runs)
+    (0..).map_while(|r| errors.remove(&r)).collect()
 }
 
-/// What the replicates amount to, if there are any.
-fn kept<F>(estimator: &Estimator<F>, sizes: Vec<u32>, runs: Vec<Vec<f64>>) -> Option<Convergence> {
-    (!runs.is_empty()).then(|| gathered(estimator, Study { sizes, runs }))
+/// What the errors of replicates amount to; `None` where there are none, or where one lacks a size.
+pub fn of_errors<F>(
+    estimator: &Estimator<F>,
+    design: &Design,
+    runs: Vec<Vec<f64>>,
+) -> Option<Convergence> {
+    let sizes = estimator.sizes.list(design);
+    let whole = runs.iter().all(|row| row.len() == sizes.len());
+    (whole && !runs.is_empty()).then(|| gathered(estimator, Study { sizes, runs }))
 }
 
 /// The errors of one replicate at each size, every run under a seed that no other has.

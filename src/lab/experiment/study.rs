@@ -9,7 +9,7 @@ use crate::stats::price::Paid;
 use crate::stats::slope::{self, Fit, Insufficient};
 
 /// Runs at several sizes.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, serde::Serialize, serde::Deserialize)]
 pub struct Study<R> {
     /// Samples of a run at each size, the smallest first.
     pub sizes: Vec<u32>,
@@ -62,6 +62,19 @@ pub fn seed_of(seed: u64, replicate: u32, place: u64) -> u64 {
         .wrapping_add(place << 32 | u64::from(replicate))
 }
 
+/// The replicates of all shares in their own order, where each share has every n-th one.
+pub fn in_order<R>(shares: Vec<Vec<R>>) -> Vec<R> {
+    let mut all: Vec<_> = shares.into_iter().map(Vec::into_iter).collect();
+    let mut rows = Vec::new();
+    loop {
+        let round: Vec<R> = all.iter_mut().map_while(Iterator::next).collect();
+        if round.is_empty() {
+            return rows;
+        }
+        rows.extend(round);
+    }
+}
+
 /// The order in which `count` things run in a round: forwards, then backwards, and one place further on every
 /// second round, so that whatever else slows the machine slows all of them alike.
 pub fn order(round: u32, count: usize) -> Vec<usize> {
@@ -88,6 +101,18 @@ mod tests {
             [0, 1, 2, 3].map(|r| order(r, 2)),
             [[0, 1], [1, 0], [1, 0], [0, 1]]
         );
+    }
+
+    #[test]
+    fn replicates_are_shared_out_and_come_back_in_order() {
+        for (replicates, n) in [(10, 1), (10, 3), (9, 3), (2, 5), (256, 7)] {
+            let shares = (0..n).map(|first| {
+                let numbers = (first..replicates).step_by(n as usize);
+                numbers.collect::<Vec<u32>>()
+            });
+            let all = in_order(shares.collect());
+            assert!(all.into_iter().eq(0..replicates), "{replicates} by {n}");
+        }
     }
 
     #[test]

@@ -6,7 +6,7 @@ use serde::Serialize;
 use std::fmt;
 
 /// What independent pictures of a method add up to.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, serde::Serialize, serde::Deserialize)]
 pub(super) struct Sums {
     pictures: u32,
     /// Of each pixel.
@@ -97,6 +97,21 @@ impl Sums {
         }
         for (sum, x) in self.squares.iter_mut().zip(squares) {
             *sum += x;
+        }
+    }
+
+    /// Adds those of other pictures of the same method.
+    pub(super) fn join(&mut self, other: &Sums) {
+        self.pictures += other.pictures;
+        let values = self.values.iter_mut().flatten();
+        values
+            .zip(other.values.iter().flatten())
+            .for_each(|(sum, x)| *sum += x);
+        for (own, its) in [
+            (&mut self.squares, &other.squares),
+            (&mut self.greys, &other.greys),
+        ] {
+            own.iter_mut().zip(its).for_each(|(sum, x)| *sum += x);
         }
     }
 

@@ -73,6 +73,21 @@ pub const ALL: [Method; LADDER.len() + 2] = {
 /// How many of [`ALL`], the first ones, walk from the eye.
 pub const FROM_THE_EYE: usize = WALKS.len() + 2;
 
+impl serde::Serialize for Method {
+    /// Its name.
+    fn serialize<S: serde::Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        serializer.serialize_str(self.name)
+    }
+}
+
+impl<'de> serde::Deserialize<'de> for Method {
+    fn deserialize<D: serde::Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        let name = String::deserialize(deserializer)?;
+        let none = || serde::de::Error::custom(format!("there is no method \"{name}\""));
+        Method::find(&name).ok_or_else(none)
+    }
+}
+
 impl Method {
     /// The method of this name.
     pub fn find(name: &str) -> Option<Method> {

@@ -33,6 +33,6 @@ pub use list::{PerSample, PriceList, Priced, TARGETS};
 pub use method::{ALL, BASE, CLAMP, FROM_THE_EYE, Method};
 pub use plan::{Budget, Design};
 pub use reference::Reference;
-pub use runs::{Measured, Nothing, Run, Runs, measure};
+pub use runs::{Measured, Nothing, Run, Runs, measure, measure_share};
 pub use size::{Size, Verdict};
 pub use target::Reach;

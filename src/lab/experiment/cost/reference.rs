@@ -9,7 +9,8 @@ use crate::render::{Film, Picture, Pixel};
 use crate::stats::Estimate;
 
 /// Two independent pictures of the same thing.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, serde::Serialize, serde::Deserialize)]
+#[serde(into = "Halves", from = "Halves")]
 pub struct Reference {
     /// One and the other.
     pub halves: [Picture; 2],
@@ -21,10 +22,21 @@ pub struct Reference {
     pub spp: u32,
 }
 
-impl Reference {
-    /// A reference from two films of different seeds.
-    pub fn new(a: &Film, b: &Film, spp: u32) -> Self {
-        let halves = [a.picture(), b.picture()];
+/// All that a reference is made of.
+#[derive(serde::Serialize, serde::Deserialize)]
+struct Halves {
+    halves: [Picture; 2],
+    spp: u32,
+}
+
+impl From<Reference> for Halves {
+    fn from(Reference { halves, spp, .. }: Reference) -> Self {
+        Halves { halves, spp }
+    }
+}
+
+impl From<Halves> for Reference {
+    fn from(Halves { halves, spp }: Halves) -> Self {
         let pairs = halves[0].values.iter().zip(&halves[1].values);
         let middle = |(x, y): (&[f64; 3], &[f64; 3])| [0, 1, 2].map(|i| 0.5 * (x[i] + y[i]));
         let picture = Picture {
@@ -38,6 +50,17 @@ impl Reference {
             picture,
             spp,
         }
+    }
+}
+
+impl Reference {
+    /// A reference from two films of different seeds.
+    pub fn new(a: &Film, b: &Film, spp: u32) -> Self {
+        let halves = [a, b].map(|film| Picture {
+            errors: None,
+            ..film.picture()
+        });
+        Halves { halves, spp }.into()
     }
 
     // ANCHOR: squares

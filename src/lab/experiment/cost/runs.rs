@@ -4,15 +4,15 @@ use super::bias::Sums;
 use super::method::{self, BASE, Method};
 use super::plan::{Design, plan};
 use super::reference::Reference;
-use crate::lab::experiment::study::{Study, order, seed_of};
+use crate::lab::experiment::study::{Study, in_order, order, seed_of};
 use crate::render::accuracy::top_share;
-use crate::render::{Progress, Rendered};
+use crate::render::{Progress, Rendered, Shard};
 use crate::scene::{RayCounts, Scene};
 use crate::stats::Estimate;
 use std::sync::Mutex;
 
 /// What a picture cost, and how wrong it is: the mean of up to eight of a size.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq, serde::Serialize, serde::Deserialize)]
 pub struct Run {
     /// Mean squared relative error, without bias.
     pub square: f64,
@@ -27,7 +27,7 @@ pub struct Run {
 }
 
 /// All pictures of a method.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, serde::Serialize, serde::Deserialize)]
 pub struct Runs {
     /// The method.
     pub method: Method,
@@ -38,7 +38,7 @@ pub struct Runs {
 }
 
 /// Everything that was measured.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, serde::Serialize, serde::Deserialize)]
 pub struct Measured {
     /// The truth for methods that end their paths with the scene's longest.
     pub reference: Reference,
@@ -53,6 +53,44 @@ pub struct Measured {
 }
 
 impl Measured {
+    /// What all shares of the replicates gave together, in the order of their numbers; `None` where there are none, or
+    /// where they differ in their methods, sizes or reference.
+    ///
+    /// Errors, rays and seconds are those of one run, replicate by replicate. Sums over pictures, which tell the bias, are
+    /// added share by share, and may differ from one run's in the last bits.
+    pub fn joined(shares: Vec<Measured>) -> Option<Measured> {
+        let first = shares.first()?;
+        let (mut joined, mut studies) = (first.clone(), vec![Vec::new(); first.methods.len()]);
+        let halves = |of: &Option<Reference>| of.as_ref().map(|r| r.halves.clone());
+        for (i, share) in shares.into_iter().enumerate() {
+            let same =
+                |(a, b): (&Runs, &Runs)| a.method == b.method && a.study.sizes == b.study.sizes;
+            let fits = share.reference.halves == joined.reference.halves
+                && halves(&share.endless) == halves(&joined.endless)
+                && share.methods.len() == joined.methods.len()
+                && share.methods.iter().zip(&joined.methods).all(same);
+            if !fits {
+                return None;
+            }
+            for ((runs, own), study) in share
+                .methods
+                .into_iter()
+                .zip(&mut joined.methods)
+                .zip(&mut studies)
+            {
+                if i > 0 {
+                    own.sums.join(&runs.sums);
+                }
+                study.push(runs.study.runs);
+            }
+        }
+        for (runs, study) in joined.methods.iter_mut().zip(studies) {
+            runs.study.runs = in_order(study);
+        }
+        joined.replicates = joined.methods.first()?.study.runs.len() as u32;
+        Some(joined)
+    }
+
     /// The truth for this method.
     pub fn truth(&self, method: &Method) -> &Reference {
         match &self.endless {
@@ -87,6 +125,20 @@ pub fn measure(
     design: &Design,
     progress: &impl Progress,
 ) -> Result<Measured, Nothing> {
+    let all = Shard { index: 1, count: 1 };
+    measure_share(scene, methods, design, all, progress)
+}
+
+/// The same for every n-th replicate, of `n` shares of all: what [`Measured::joined`] puts together. The reference is
+/// made for each share. Shares agree on sizes where the budget is one of rays.
+pub fn measure_share(
+    scene: &Scene,
+    methods: &[Method],
+    design: &Design,
+    share: Shard,
+    progress: &impl Progress,
+) -> Result<Measured, Nothing> {
+    let replicates = (share.index - 1..design.replicates).step_by(share.count as usize);
     let timed = rayon::ThreadPoolBuilder::new()
         .num_threads(design.threads.unwrap_or_else(rayon::current_num_threads))
         .build()?;
@@ -105,7 +157,11 @@ pub fn measure(
     let runs = timed.install(|| methods.iter().map(none).collect::<Option<Vec<Runs>>>());
     let runs = runs.ok_or(Nothing::Stopped)?;
     let is_endless = methods.iter().any(Method::is_endless);
-    watch.total = total(&runs, design, is_endless, watch.threads);
+    let own = Design {
+        replicates: replicates.len() as u32,
+        ..*design
+    };
+    watch.total = total(&runs, &own, is_endless, watch.threads);
     let of = |endless| truth(scene, endless, &runs, design, &watch);
     let mut measured = Measured {
         reference: of(false)?,
@@ -114,7 +170,8 @@ pub fn measure(
         replicates: 0,
         interrupted: false,
     };
-    for r in 0..design.replicates {
+    let none = replicates.len() == 0;
+    for r in replicates {
         let Some(row) = timed.install(|| replicate(scene, &measured, design, r, &watch)) else {
             measured.interrupted = true;
             break;
@@ -125,7 +182,7 @@ pub fn measure(
         measured.replicates += 1;
     }
     match measured.replicates {
-        0 => Err(Nothing::Stopped),
+        0 if !none => Err(Nothing::Stopped),
         _ => Ok(measured),
     }
 }
