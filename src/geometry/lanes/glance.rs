@@ -78,6 +78,7 @@ impl Glance {
         (self.n_bound, self.across_bound, self.along_bound) = (0.0, 0.0, 0.0);
     }
 
+    // ANCHOR: look
     /// Where the rays cross it.
     ///
     /// * `reach`: the largest coordinate of an origin or a corner; `speed`: the largest of a direction.
@@ -120,7 +121,7 @@ impl Glance {
             does: does & !edge_on,
             edge_on,
         }
-    }
+    }    // ANCHOR_END: look
 }
 
 #[inline(always)]
