@@ -4,6 +4,7 @@ use super::answer::{print, to_json};
 use super::checkpoint::Keeper;
 use super::choices::{Points, by_name, size};
 use super::demand::{Demand, bias};
+use super::exposure::Exposure;
 use super::left_out::LeftOut;
 use super::light_paths::LightPaths;
 use super::long::Long;
@@ -15,10 +16,10 @@ use super::resume::Resumed;
 use super::stop::{Ended, Ending};
 use super::views::Views;
 use super::{Stop, note_slow_build, use_threads};
-use crate::integrators::{Entry, FilteredPath, Integrator, Path as PathTracer, Settings, Shows};
+use crate::integrators::{Entry, FilteredPath, Integrator, Path as PathTracer, Settings};
 use crate::lab::chapter::{Bar, on_ctrl_c, tell, whole};
 use crate::lab::effects::measure::Setup;
-use crate::output::{self, Display, Provenance};
+use crate::output::{self, Provenance};
 use crate::render::stopping::{Outcome, render_from};
 use crate::render::{Blur, Options, Progress, State, Tally};
 use crate::scene::{Scene, gallery};
@@ -62,6 +63,8 @@ pub struct Render {
     /// [default: out/FILE.png after the scene's file; by another integrator than path out/FILE-NAME.png]
     #[arg(long, value_name = "FILE")]
     pub(super) out: Option<PathBuf>,
+    #[command(flatten)]
+    pub(super) exposure: Exposure,
     #[command(flatten)]
     pub(super) light_paths: LightPaths,
     #[command(flatten)]
@@ -159,6 +162,7 @@ impl Render {
         // Checked before any work, so that none is lost to a misspelt name or a closed folder.
         let path = self.path();
         output::prepare(&path, &scene)?;
+        self.exposure.check(&path, self.integrator)?;
         self.long.check(&path)?;
         let views = self.views.of(&scene, &path)?;
         for map in self.maps.pictures(&path) {
@@ -226,12 +230,7 @@ impl Render {
             return Err(Stop::Interrupted);
         }
         left_out.iter_mut().for_each(|l| l.see(&scene, rendered));
-        let display = match self.integrator.shows {
-            Shows::Light(_) => Display::Radiance,
-            Shows::Geometry { white } => Display::Data {
-                white: white.unwrap_or_else(|| rendered.film.max()),
-            },
-        };
+        let display = self.exposure.display(self.integrator, &rendered.film);
         let photons = made.photons();
         let mut landed = photons.map(|photons| Landed::new(photons, &scene, outcome.spp));
         let facts = Provenance {
@@ -295,6 +294,7 @@ impl Render {
             out: path.display().to_string(),
             accuracy: Ended::new(&outcome, &goal, facts.sampler, left_out),
             too_bright_pixels: self.too_bright(&scene, rendered, max_depth),
+            clipped_pixels: output::clipped(&rendered.film, display, path),
             maps,
             views: seen,
             no_maps,
