@@ -44,7 +44,7 @@ fn work(desk: &mut Desk) -> Result<Ledger, DeskError> {
     // Every path of four renders, spelt.
     let (mut groups, mut spelt) = (Vec::new(), 0);
     for name in SCENES {
-        let side = desk.choose(96, 24);
+        let side = desk.choose(64, 24);
         let scene = gallery::load(name)?.sized([side; 2]);
         let words = spell(desk, &scene);
         spelt += words.rays;
@@ -77,7 +77,7 @@ fn work(desk: &mut Desk) -> Result<Ledger, DeskError> {
 /// The light of a scene by words.
 fn spell(desk: &Desk, scene: &Scene) -> Words {
     let options = Options {
-        spp: desk.spp(64, 8) / REPLICATES,
+        spp: desk.spp(32, 8) / REPLICATES,
         seed: desk.options.seed,
         sampler: Sampler::Sobol,
         ..Options::default()
