@@ -46,7 +46,7 @@ fn made(name: &str, scene: &Scene) -> Result<Box<dyn Integrator>, DeskError> {
 
 fn one(desk: &mut Desk, scene_name: &str, scene: &Scene, truth: &str) -> Result<u64, DeskError> {
     let mut rays = 0;
-    let spp = desk.choose(1024, 256);
+    let spp = desk.choose(768, 256);
     let by = made(truth, scene)?;
     let mut half = |seed: u64| {
         let options = Options {

@@ -13,7 +13,7 @@ pub fn work(desk: &mut Desk) -> Result<u64, DeskError> {
         (
             "courtyard",
             "courtyard.png",
-            24,
+            32,
             0.2,
             "A courtyard at noon. Look at the blue of the shadows, which only the sky lights; at the tint of the tiles on \
              the walls above them; and at the mirror ball, which shows what lies behind you.",

@@ -48,7 +48,7 @@ fn look_at(class: Class) -> &'static str {
 pub fn work(desk: &mut Desk) -> Result<Drawn, DeskError> {
     let scene = load(ROOM, desk.choose([240; 2], [48; 2]))?;
     let path = Path::new(scene.suggested.max_depth);
-    let whole = paint(desk, &scene, desk.spp(24, 8), &path)?;
+    let whole = paint(desk, &scene, desk.spp(16, 8), &path)?;
     let caption = "The room. Look for the bright spot that the glass ball gathers on the floor, for the second one \
                    high on the green wall, which the mirror throws there, and for the tint that the walls lend to the \
                    ceiling. The specks on the block and in the ball are caustics seen in a mirror or through glass: the \

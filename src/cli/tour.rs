@@ -30,26 +30,26 @@ const fn stage(id: &'static str, program: &'static str, usual: f64) -> Stage {
 
 /// The chapters. The last one draws the pictures of the book's reference pages.
 const CHAPTERS: &[Stage] = &[
-    stage("ch01", "ch01-from-the-eye", 1.0),
-    stage("ch02", "ch02-whitteds-tree", 1.0),
-    stage("ch03", "ch03-hit-or-miss", 1.0),
-    stage("ch04", "ch04-half-disk", 1.0),
-    stage("ch05", "ch05-importance-sampling", 1.0),
-    stage("ch06", "ch06-gather", 1.0),
-    stage("ch07", "ch07-one-ray", 1.0),
-    stage("ch08", "ch08-which-ray", 1.0),
-    stage("ch09", "ch09-aim-at-the-light", 1.0),
-    stage("ch10", "ch10-roulette", 1.0),
-    stage("ch11", "ch11-combine", 1.0),
-    stage("ch12", "ch12-the-path-tracer", 1.0),
-    stage("ch13", "ch13-six-integrals", 1.0),
-    stage("ch14", "ch14-alphabet", 1.0),
-    stage("ch15", "ch15-patches", 1.0),
-    stage("ch16", "ch16-photons", 1.0),
+    stage("ch01", "ch01-from-the-eye", 4.0),
+    stage("ch02", "ch02-whitteds-tree", 2.0),
+    stage("ch03", "ch03-hit-or-miss", 2.0),
+    stage("ch04", "ch04-half-disk", 2.0),
+    stage("ch05", "ch05-importance-sampling", 1.5),
+    stage("ch06", "ch06-gather", 3.5),
+    stage("ch07", "ch07-one-ray", 4.0),
+    stage("ch08", "ch08-which-ray", 3.0),
+    stage("ch09", "ch09-aim-at-the-light", 4.0),
+    stage("ch10", "ch10-roulette", 4.5),
+    stage("ch11", "ch11-combine", 4.5),
+    stage("ch12", "ch12-the-path-tracer", 7.0),
+    stage("ch13", "ch13-six-integrals", 5.5),
+    stage("ch14", "ch14-alphabet", 3.5),
+    stage("ch15", "ch15-patches", 8.0),
+    stage("ch16", "ch16-photons", 10.0),
     stage("ch17", "ch17-hard-cases", 1.0),
-    stage("ch18", "ch18-cost", 1.0),
-    stage("ch19", "ch19-what-the-scene-asks", 1.0),
-    stage("scenes", "book-pictures", 1.0),
+    stage("ch18", "ch18-cost", 7.0),
+    stage("ch19", "ch19-what-the-scene-asks", 15.0),
+    stage("scenes", "book-pictures", 16.0),
 ];
 
 /// The chapters by their short names, with their programs.
@@ -198,6 +198,29 @@ fn read_record(folder: &Path) -> Result<Record, Stop> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::lab::ledger::Ledger;
+
+    #[test]
+    fn a_chapter_is_told_in_one_line_without_jargon() {
+        let record = Record {
+            chapter: "ch03".to_owned(),
+            title: "Hit or miss".to_owned(),
+            question: String::new(),
+            seed: 1,
+            quick: false,
+            numbers: Default::default(),
+            figures: Vec::new(),
+            ledger: Some(Ledger {
+                seconds: 4.27,
+                variance: Some(2.7),
+                ..Ledger::of("Four times the darts for half the error.")
+            }),
+        };
+        assert_eq!(
+            line(3, 20, &record),
+            "[ 3/20]  4.3 s  Hit or miss: Four times the darts for half the error.\n"
+        );
+    }
 
     #[test]
     fn chapters_are_chosen_by_number_and_the_pictures_of_the_book_by_name() {
