@@ -3,10 +3,11 @@
 use crate::SEGMENTS;
 use glam::DVec2;
 use halfdisk::integrators::{Combine, Entry, Kajiya, NextEvent, Path, Settings};
-use halfdisk::lab::chapter::{Desk, DeskError};
+use halfdisk::lab::chapter::{Desk, DeskError, Finale};
 use halfdisk::lab::drawing::StrokeKind;
 use halfdisk::lab::figures::sketch::Sketch;
 use halfdisk::render::{Options, Rendered, render};
+use halfdisk::sampling::stream::Sampler;
 use halfdisk::scene::{Scene, gallery};
 
 /// A path in a room: where it aims, what it meets by chance, and where it may end.
@@ -87,6 +88,22 @@ pub fn pictures(desk: &mut Desk) -> Result<u64, DeskError> {
     }
     show(desk, "path", Path::ENTRY, &by_path, &scene)?;
     Ok(rays)
+}
+
+/// A scene with everything that the path tracer was built for; the rays it took.
+pub fn finale(desk: &mut Desk) -> Result<u64, DeskError> {
+    let finale = Finale {
+        file: "final.png",
+        title: "A still life by the path tracer. The sun falls through one window and the sky through another. Look at the \
+                caustic of the glass ball on the cloth, at the window in the gold, at the red that the wall lends the gold \
+                and the books, and at the chess board upside down in the glass.",
+        spp: 16,
+        sampler: Sampler::Sobol,
+        stops: 0.2,
+    };
+    let scene = gallery::load("final")?;
+    let path = Path::new(scene.suggested.max_depth);
+    Ok(desk.finale(&scene, &path, &finale)?.rays.total())
 }
 
 fn show(

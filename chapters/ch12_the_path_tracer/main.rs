@@ -40,8 +40,9 @@ fn work(desk: &mut Desk) -> Result<Ledger, DeskError> {
     let pictures = figures::pictures(desk)?;
     let agreed = agree::work(desk)?;
     let saved = price::work(desk)?;
+    let last = figures::finale(desk)?;
     Ok(Ledger {
-        rays: checked + glowed + charted + pictures + agreed.rays + saved.rays,
+        rays: checked + glowed + charted + pictures + agreed.rays + saved.rays + last,
         variance: Some(agreed.variance),
         compared: Some(in_closed_form.with(in_furnace).into()),
         efficiency: Some(1.0 / (agreed.variance * agreed.per_sample)),

@@ -162,13 +162,13 @@ const CARDS: &[Card] = &[
     ),
     card(
         "ch12",
-        "path.png",
+        "final.png",
         [
             "box_aiming_price",
             "rays without shadow rays do the work of one ray of the path tracer",
         ],
         Some([["chance.png", "by chance"], ["path.png", "the path tracer"]]),
-        "examples/scenes/cornell.toml",
+        "examples/scenes/final.toml",
     ),
     card(
         "ch13",
@@ -208,7 +208,7 @@ const CARDS: &[Card] = &[
     ),
     card(
         "ch16",
-        "time_light_tracer.png",
+        "evening.png",
         [
             "ratio_caustic",
             "times the error of photons has path tracing on a caustic, at 16 samples",
@@ -217,7 +217,7 @@ const CARDS: &[Card] = &[
             ["time_combine.png", "from the eye"],
             ["time_light_tracer.png", "from the lamp"],
         ]),
-        "chapters/ch16_photons/ball.toml",
+        "chapters/ch16_photons/evening.toml",
     ),
     card(
         "ch17",
