@@ -41,7 +41,7 @@ const MATERIALS: [(&str, &str, u32, &str); 9] = [
     (
         "rough_glass",
         "rough_glass = { ior = 1.5, roughness = 0.1 }",
-        64,
+        128,
         "frosted: the floor is a blur, and so is the caustic",
     ),
     (

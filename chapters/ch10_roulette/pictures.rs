@@ -126,7 +126,7 @@ fn heat_map(desk: &mut Desk, roulette: Roulette) -> Result<u64, DeskError> {
 
 fn paint(desk: &Desk, scene: &Scene, by: &impl Integrator) -> Result<Rendered, DeskError> {
     let options = Options {
-        spp: desk.spp(160, 32),
+        spp: desk.spp(96, 32),
         seed: desk.options.seed,
         ..Options::default()
     };

@@ -59,7 +59,7 @@ pub fn work(desk: &mut Desk) -> Result<u64, DeskError> {
 
 /// An empty room, the box with its blocks, and the box with a tall block of rough metal.
 fn rooms(desk: &Desk) -> Result<[(&'static str, Scene); 3], DeskError> {
-    let side = desk.choose(32, 20);
+    let side = desk.choose(24, 20);
     let cornell = gallery::load("cornell")?.sized([side; 2]);
     let empty = cornell.changed(|said| said.objects.truncate(6))?;
     let gloss = cornell.changed(shown::with_metal)?;

@@ -21,7 +21,7 @@ struct Course {
 }
 
 pub fn work(desk: &mut Desk) -> Result<u64, DeskError> {
-    let side = desk.choose(32, 20);
+    let side = desk.choose(24, 20);
     let caustic = scene("ball.toml", include_str!("ball.toml"))?.sized([side; 2]);
     let cornell = gallery::load("cornell")?.sized([side; 2]);
     let mut rays = 0;

@@ -37,7 +37,7 @@ struct Entry {
 
 /// Lets them run.
 pub fn work(desk: &mut Desk) -> Result<Race, DeskError> {
-    let scene = load(ROOM, desk.choose([24; 2], [12; 2]))?;
+    let scene = load(ROOM, desk.choose([20; 2], [12; 2]))?;
     let (truth, mut rays) = reference(desk, &scene)?;
     let sizes = desk.choose(4, 2);
     let mut entries = vec![vec![Entry::default(); SIZES.len()]; WALKS.len()];
@@ -141,7 +141,7 @@ fn chart(desk: &mut Desk, entries: &[Vec<Entry>], sizes: usize) -> Result<(), De
                    fall with the slope -1/2, from different heights. Bars: one standard error.";
     desk.figure("chart.svg", caption, by_rays.to_svg_at(HALF)?)?;
     let by_time = chart("seconds", curves(|entry| entry.seconds.mean()));
-    let caption = "The same against the seconds of a picture of 32 x 32 pixels, on the machine that ran this. The order is \
+    let caption = "The same against the seconds of one such picture, on the machine that ran this. The order is \
                    the same: rays tell most of the time. Bars: one standard error.";
     desk.figure("seconds.svg", caption, by_time.to_svg_at(HALF)?)
 }

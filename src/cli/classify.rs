@@ -211,14 +211,13 @@ fn sheet(
     films: &[&Film],
 ) -> Result<Vec<String>, Stop> {
     let whole = films.last().map_or(0.0, |film| film.mean().0);
-    let names = classes
-        .iter()
-        .map(|class| format!("{}: {}", class.text(), class.name()));
+    let names = classes.iter().map(|class| (class.name(), class.text()));
     let all: Vec<sheet::OfClass> = names
-        .chain(["all light".to_owned()])
+        .chain([("all light", "L(D|S|G)*E")])
         .zip(films)
-        .map(|(name, film)| sheet::OfClass {
+        .map(|((name, words), film)| sheet::OfClass {
             name,
+            words,
             film,
             share: film.mean().0 / whole,
         })

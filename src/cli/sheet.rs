@@ -15,7 +15,9 @@ const MOST: f64 = 10.0;
 
 /// The picture of a class.
 pub(super) struct OfClass<'a> {
-    pub name: String,
+    pub name: &'static str,
+    /// Its words, as an expression.
+    pub words: &'static str,
     pub film: &'a Film,
     /// Its part of the light.
     pub share: f64,
@@ -30,8 +32,11 @@ pub(super) fn write(name: &Path, title: String, classes: &[OfClass]) -> Result<V
             stops => format!(", shown {} times as bright", libm::exp2(stops)),
         };
         Plate {
-            name: class.name.clone(),
-            words: format!("{} %{brighter}", three_digits(100.0 * class.share)),
+            name: class.name.to_owned(),
+            words: vec![
+                class.words.to_owned(),
+                format!("{} %{brighter}", three_digits(100.0 * class.share)),
+            ],
             shades: shades(class.film, Display::Exposed { stops }),
         }
     };
@@ -82,14 +87,15 @@ mod tests {
         let folder = tempfile::tempdir().unwrap();
         let film = film(0.2);
         let class = OfClass {
-            name: "LDE: direct light".to_owned(),
+            name: "direct light",
+            words: "L(D|G)E",
             film: &film,
             share: 0.2136,
         };
         let files = write(&folder.path().join("classes"), "mine".to_owned(), &[class]).unwrap();
         assert_eq!(files.len(), 2);
         let svg = std::fs::read_to_string(&files[0]).unwrap();
-        for words in ["LDE: direct light", "21.4 %, shown 4 times as bright"] {
+        for words in ["direct light", "L(D|G)E", "21.4 %, shown 4 times as bright"] {
             assert!(svg.contains(words), "{svg}");
         }
     }

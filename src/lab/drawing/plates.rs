@@ -1,6 +1,6 @@
-//! Pictures side by side, each under its name and with a line of words below.
+//! Pictures side by side, each under its name and with words below.
 
-use super::font::{SMALL, TEXT, headline};
+use super::font::{SMALL, TEXT, fitting, headline};
 use super::palette::INK;
 use super::plot::{Page, Paint, UNITS, encode, letters, png, px, stroke, titled};
 use super::{ChartError, FULL};
@@ -26,8 +26,8 @@ pub struct Plates {
 pub struct Plate {
     /// Its name, above it.
     pub name: String,
-    /// Words below it.
-    pub words: String,
+    /// Lines of words below it.
+    pub words: Vec<String>,
     /// Its shades, row by row from the top.
     pub shades: Vec<[u8; 3]>,
 }
@@ -94,10 +94,16 @@ impl Plates {
         let top = headline(&self.title, f64::from(FULL)).1;
         [
             GAP + column * (width + GAP),
-            top + LINE + row * (height + 2.0 * LINE + GAP),
+            top + LINE + row * (height + (1.0 + self.lines()) * LINE + GAP),
             width,
             height,
         ]
+    }
+
+    /// The most lines of words below a picture.
+    fn lines(&self) -> f64 {
+        let lines = self.plates.iter().map(|plate| plate.words.len());
+        lines.max().unwrap_or(0) as f64
     }
 
     fn image(&self, plate: &Plate) -> RgbImage {
@@ -111,7 +117,10 @@ impl Plates {
 impl Paint for Plates {
     fn size(&self) -> [f64; 2] {
         let [_, top, _, height] = self.window(self.plates.len().saturating_sub(1));
-        [f64::from(FULL), (top + height + LINE + GAP).round()]
+        [
+            f64::from(FULL),
+            (top + height + self.lines() * LINE + GAP).round(),
+        ]
     }
 
     fn paint<DB: DrawingBackend>(&self, page: &Page<DB>) -> Result<(), ChartError> {
@@ -123,8 +132,15 @@ impl Paint for Plates {
                 let style = letters(size, VPos::Center);
                 page.draw(&Text::new(text.to_owned(), (middle, px(at)), style))
             };
-            write(&plate.name, y - 0.5 * LINE, TEXT)?;
-            write(&plate.words, y + height + 0.5 * LINE, SMALL)?;
+            write(
+                &plate.name,
+                y - 0.5 * LINE,
+                fitting(&plate.name, TEXT, width),
+            )?;
+            for (line, words) in plate.words.iter().enumerate() {
+                let below = y + height + (0.6 + 0.9 * line as f64) * LINE;
+                write(words, below, fitting(words, SMALL, width))?;
+            }
             // A frame, so that a black picture is seen on dark paper.
             let corners = [(px(x), px(y)), (px(x + width), px(y + height))];
             page.draw(&Rectangle::new(corners, stroke(INK, 1.0)))?;
@@ -141,7 +157,7 @@ mod tests {
     fn plates() -> Plates {
         let plate = |name: &str, shade: u8| Plate {
             name: name.to_owned(),
-            words: format!("{shade} %"),
+            words: vec![format!("{shade} %"), "light".to_owned()],
             shades: vec![[shade; 3]; 8],
         };
         Plates {
@@ -157,7 +173,7 @@ mod tests {
     fn each_picture_has_its_name_and_its_words() {
         let svg = plates().to_svg().unwrap();
         let words = texts(&svg);
-        for word in ["classes", "LE", "10 %", "all", "200 %"] {
+        for word in ["classes", "LE", "10 %", "all", "200 %", "light"] {
             assert!(words.iter().any(|text| text == word), "{word} in {words:?}");
         }
         assert_eq!(svg.matches("data:image/png").count(), 4);
