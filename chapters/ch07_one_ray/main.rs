@@ -35,6 +35,8 @@ fn main() -> ExitCode {
 }
 
 fn work(desk: &mut Desk) -> Result<Ledger, DeskError> {
+    // The room is dim for a screen: shown with twice the light.
+    desk.expose(1.0);
     figures::tree_and_path(desk)?;
     let mut compared = Largest::default();
     let (z_room, variance, rays_room) = room(desk)?;

@@ -31,6 +31,8 @@ fn main() -> ExitCode {
 }
 
 fn work(desk: &mut Desk) -> Result<Ledger, DeskError> {
+    // The room is dim for a screen: shown with twice the light.
+    desk.expose(1.0);
     figures::idea(desk)?;
     let says = "segments of the longest path";
     desk.value("segments", says, f64::from(SEGMENTS));

@@ -36,6 +36,8 @@ fn main() -> ExitCode {
 }
 
 fn work(desk: &mut Desk) -> Result<Ledger, DeskError> {
+    // The room is dim for a screen: shown with twice the light.
+    desk.expose(1.0);
     // What can be said without a ray.
     automaton::drawing(desk)?;
     dictionary::ask(desk);

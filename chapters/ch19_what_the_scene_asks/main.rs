@@ -34,6 +34,8 @@ fn work(desk: &mut Desk) -> Result<Ledger, DeskError> {
     report::of_room(desk)?;
     let asked = report::point_through_glass(desk)? + unseen::pictures(desk)?;
 
+    // The room is dim for a screen: shown with twice the light.
+    desk.expose(1.0);
     // The picture, and what each class of paths has of it.
     let drawn = pictures::work(desk)?;
 

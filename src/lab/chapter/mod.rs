@@ -117,6 +117,8 @@ pub struct Desk {
     folder: PathBuf,
     record: Record,
     start: Instant,
+    /// Stops by which pictures are brightened.
+    stops: f64,
     /// Why a line could not be printed: the first time.
     unsaid: RefCell<Option<std::io::Error>>,
 }
@@ -197,6 +199,7 @@ impl Desk {
             options,
             folder,
             start: Instant::now(),
+            stops: 0.0,
             unsaid: RefCell::new(None),
         };
         desk.say(&format!("{}: {}", chapter.id, chapter.title));
@@ -274,6 +277,12 @@ impl Desk {
         Ok(())
     }
 
+    /// Shows the pictures that follow brighter by so many stops: each doubles the light. Their numbers stay as they
+    /// are, also in EXR files.
+    pub fn expose(&mut self, stops: f64) {
+        self.stops = stops;
+    }
+
     /// Writes a picture of `scene` as PNG and records it; with `--exr`, an EXR file stands beside it.
     pub fn picture(
         &mut self,
@@ -289,7 +298,7 @@ impl Desk {
             let path = self.folder.join(file).with_extension("exr");
             write(&path, film, Display::Radiance, &facts)?;
         }
-        let png = png_bytes(film, Display::Radiance, &facts)?;
+        let png = png_bytes(film, Display::Exposed { stops: self.stops }, &facts)?;
         self.figure(file, caption, png)
     }
 
