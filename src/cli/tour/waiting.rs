@@ -40,8 +40,8 @@ impl Waiting {
         if let Ok(style) = ProgressStyle::with_template(template) {
             self.bar.set_style(style);
         }
-        self.bar.set_prefix(head);
         self.bar.set_message(left.clone());
+        self.bar.set_prefix(head);
         self.bar.enable_steady_tick(TICK);
         let bar = self.bar.clone();
         move |news| {
@@ -82,8 +82,12 @@ pub(super) fn lasting(seconds: f64) -> String {
     }
 }
 
-/// What a chapter is at, from a line of its report: the words before the number.
+/// What a chapter is at, from a line of its report: the words before the number. Its last line sums it up, and is
+/// no news.
 fn short(line: &str) -> Option<String> {
+    if line.starts_with("ledger:") {
+        return None;
+    }
     let words = line.split("  ").next().unwrap_or_default().trim();
     let mut short: String = words.chars().take(NEWS).collect();
     if short.len() < words.len() {
@@ -101,6 +105,7 @@ mod tests {
         let line = "rays wasted for each of them                       380.3";
         assert_eq!(short(line).unwrap(), "rays wasted for each of them");
         assert_eq!(short("   "), None);
+        assert_eq!(short("ledger: 12 rays, 2.69 s, variance 1.7e-1"), None);
         let long = short(&"a".repeat(60)).unwrap();
         assert_eq!(long.chars().count(), NEWS + 1);
     }
