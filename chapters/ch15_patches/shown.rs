@@ -7,7 +7,7 @@ use halfdisk::integrators::{Integrator, Radiosity};
 use halfdisk::lab::chapter::{Desk, DeskError};
 use halfdisk::radiosity::{Patch, PatchSize, Solution};
 use halfdisk::render::{Options, Rendered, render};
-use halfdisk::sampling::stream::Stream;
+use halfdisk::sampling::stream::{Sampler, Stream};
 use halfdisk::scene::description::{Description, Material};
 use halfdisk::scene::value::{Albedo, Roughness};
 use halfdisk::scene::{Scene, Tracer, gallery};
@@ -165,6 +165,7 @@ fn paint(desk: &Desk, scene: &Scene, by: &impl Integrator) -> Result<Rendered, D
     let options = Options {
         spp: desk.spp(16, 16),
         seed: desk.options.seed,
+        sampler: Sampler::Sobol,
         ..Options::default()
     };
     let rendered = render(scene, by, &options, &desk.bar("the box"));
