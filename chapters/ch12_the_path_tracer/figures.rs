@@ -101,7 +101,8 @@ pub fn finale(desk: &mut Desk) -> Result<u64, DeskError> {
         sampler: Sampler::Sobol,
         stops: 0.2,
     };
-    let scene = gallery::load("final")?;
+    // Small, for a tour: in its own size it takes minutes.
+    let scene = gallery::load("final")?.sized([360, 270]);
     let path = Path::new(scene.suggested.max_depth);
     Ok(desk.finale(&scene, &path, &finale)?.rays.total())
 }
