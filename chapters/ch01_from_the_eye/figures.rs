@@ -55,7 +55,7 @@ pub fn finale(desk: &mut Desk) -> Result<u64, DeskError> {
         file: "courtyard.png",
         title: "A courtyard by rays from the eye: each meets a surface, and looks from there to the sun or the sky. \
                 Look at the shadows: they are blue, for only the sky lights them; and at the balls of mirror and glass, \
-                which show the sky and black ground, for no ray goes on to see what the ground sends back.",
+                which are black where a further ray would have to go on.",
         spp: 16,
         sampler: Sampler::Sobol,
         stops: 0.2,
