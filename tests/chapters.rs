@@ -11,6 +11,7 @@ mod photons;
 mod pictures;
 mod prices;
 mod scenes;
+mod shown;
 mod walks;
 mod words;
 

@@ -60,7 +60,7 @@ const FILES: [(&str, &str, u32, &str); 8] = [
     (
         "window",
         include_str!("../../examples/recipes/window.toml"),
-        64,
+        32,
         "A room that is lit by its window alone.",
     ),
     (
@@ -123,7 +123,7 @@ impl Drawn {
     ) -> Result<(), DeskError> {
         let scene = scene(desk, name, text)?;
         let [width, height] = scene.size;
-        let scene = scene.sized(desk.choose([width, height], [width / 8, height / 8]));
+        let scene = scene.sized(desk.choose([width, height], [width / 6, height / 6]));
         let rendered = rendered(desk, name, &scene, spp)?;
         let error = percent(&rendered);
         desk.value(
@@ -182,8 +182,8 @@ fn window(desk: &mut Desk) -> Result<u64, DeskError> {
     let mut errors = [0.0; 2];
     let mut rays = 0;
     for (error, text) in errors.iter_mut().zip([text, &open]) {
-        let scene = scene(desk, "window", text)?.sized(desk.choose([128, 96], [48, 36]));
-        let rendered = rendered(desk, "window", &scene, 64)?;
+        let scene = scene(desk, "window", text)?.sized(desk.choose([96, 72], [48, 36]));
+        let rendered = rendered(desk, "window", &scene, 32)?;
         rays += rendered.rays.total();
         *error = percent(&rendered);
     }

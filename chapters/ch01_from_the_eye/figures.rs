@@ -3,14 +3,15 @@
 
 use crate::prices::{Measured, Prices};
 use crate::two_ways::Traced;
-use halfdisk::lab::chapter::{Desk, DeskError};
+use halfdisk::integrators::Path;
+use halfdisk::lab::chapter::{Desk, DeskError, Finale};
 use halfdisk::lab::drawing::{
     Axis, Bounds, ChartError, Curve, CurveChart, Dot, HALF, Label, RayDrawing, Stroke, StrokeKind,
     Style,
 };
 use halfdisk::numeric::sin_cos;
-use halfdisk::sampling::stream::{Purpose, Stream};
-use halfdisk::scene::Scene;
+use halfdisk::sampling::stream::{Purpose, Sampler, Stream};
+use halfdisk::scene::{Scene, gallery};
 use std::f32::consts::{PI, TAU};
 
 const LAMP: [f32; 2] = [-0.6, 0.9];
@@ -46,6 +47,21 @@ pub fn pictures(
     desk.picture("light.png", caption, &light.film, scene)?;
     let caption = "From the eye, with as many rays: every one of them counts.";
     desk.picture("image.png", caption, &eye.film, scene)
+}
+
+/// A larger scene by rays from the eye that see lights and what lights shine on; the rays it took.
+pub fn finale(desk: &mut Desk) -> Result<u64, DeskError> {
+    let finale = Finale {
+        file: "courtyard.png",
+        title: "A courtyard by rays from the eye: each meets a surface, and looks from there to the sun or the sky. \
+                Look at the shadows: they are blue, for only the sky lights them; and at the balls of mirror and glass, \
+                which are black where a further ray would have to go on.",
+        spp: 16,
+        sampler: Sampler::Sobol,
+        stops: 0.2,
+    };
+    let scene = gallery::load("courtyard")?;
+    Ok(desk.finale(&scene, &Path::new(2), &finale)?.rays.total())
 }
 
 /// The error of both ways against the number of rays.

@@ -29,7 +29,7 @@ fn main() -> ExitCode {
 
 fn work(desk: &mut Desk) -> Result<Ledger, DeskError> {
     // The picture, and the tree of one of its pixels.
-    let scene = gallery::load("whitted")?;
+    let scene = gallery::load("whitted")?.sized(desk.choose([640, 400], [320, 200]));
     let picture = whole(desk, &scene, scene.suggested.max_depth)?;
     let caption = "A glass, a mirror and a diffuse sphere, by shadow, mirror and glass rays alone.";
     desk.picture("image.png", caption, &picture.film, &scene)?;
@@ -92,10 +92,11 @@ fn work(desk: &mut Desk) -> Result<Ledger, DeskError> {
 
     // What each further depth adds to the picture, and costs.
     let mut gains = Vec::new();
-    let mut before = whole(desk, &scene, 2)?;
+    let small = scene.clone().sized([160, 100]);
+    let mut before = whole(desk, &small, 2)?;
     let mut spent = picture.rays.total() + before.rays.total();
     for depth in 3..=desk.choose(10, 6) {
-        let now = whole(desk, &scene, depth)?;
+        let now = whole(desk, &small, depth)?;
         spent += now.rays.total();
         let change = compare::mse(&now.film.picture(), &before.film.picture()).sqrt();
         let added = now.rays.total() - before.rays.total();
@@ -132,7 +133,7 @@ fn straight(scene: &Scene) -> Ray {
 /// The whole picture, by paths of up to `max_depth` segments.
 fn whole(desk: &Desk, scene: &Scene, max_depth: u32) -> Result<Rendered, DeskError> {
     let options = Options {
-        spp: desk.spp(16, 4),
+        spp: desk.spp(9, 4),
         seed: desk.options.seed,
         ..Options::default()
     };

@@ -86,7 +86,7 @@ fn work(desk: &mut Desk) -> Result<Ledger, DeskError> {
 
     // The rate: error against samples, over independent repetitions.
     let design = Design {
-        replicates: desk.choose(1024, 256),
+        replicates: desk.choose(512, 256),
         doublings: desk.choose(11, 9),
         first: 64,
         seed,
@@ -127,7 +127,7 @@ fn work(desk: &mut Desk) -> Result<Ledger, DeskError> {
     compared.add(checked(desk, "worse", says, found));
 
     // The same number of points in 1 to 8 dimensions, on a grid and by chance.
-    let replicates = desk.choose(512, 64);
+    let replicates = desk.choose(256, 64);
     let (by_dimension, spent) = figures::dimensions(desk, POINTS, replicates)?;
     let samples = curves.iter().flat_map(|run| &run.sizes);
     let rate: u64 = samples.map(|s| s.rays).sum::<u64>() * u64::from(design.replicates);

@@ -12,7 +12,7 @@ use halfdisk::space::Solid;
 /// Trees of one, four and sixteen uniform directions at each of two levels; the rays.
 pub fn chart(desk: &mut Desk) -> Result<u64, DeskError> {
     let design = Design {
-        replicates: desk.choose(256, 64),
+        replicates: desk.choose(128, 64),
         doublings: desk.choose(8, 5),
         first: 1,
         seed: desk.options.seed,

@@ -35,6 +35,8 @@ fn main() -> ExitCode {
 }
 
 fn work(desk: &mut Desk) -> Result<Ledger, DeskError> {
+    // The room is dim for a screen: shown with twice the light.
+    desk.expose(1.0);
     figures::tree_and_path(desk)?;
     let mut compared = Largest::default();
     let (z_room, variance, rays_room) = room(desk)?;
@@ -42,10 +44,10 @@ fn work(desk: &mut Desk) -> Result<Ledger, DeskError> {
     let (z_tree, rays_tree) = compare::tree_and_paths(desk)?;
     [z_room, z_tree].into_iter().for_each(|z| compared.add(z));
     let rays_split = compare::splitting(desk)?;
-    let side = desk.choose(240, 48);
+    let side = desk.choose(160, 48);
     let scene = gallery::load("cornell")?.sized([side; 2]);
     let rays_forty = figures::forty_paths(desk, &scene)?;
-    let rays_noise = figures::noise(desk, desk.choose(8, 6))?;
+    let rays_noise = figures::noise(desk, desk.choose(6, 6))?;
     let rays_edge = figures::edge(desk)?;
     reach(desk)?;
     Ok(Ledger {
@@ -65,7 +67,7 @@ const SEGMENTS: u32 = 24;
 /// The flat room whose answer is known: distance from it, variance of one path, and rays.
 fn room(desk: &mut Desk) -> Result<(f64, f64, u64), DeskError> {
     let (room, truth) = (flatland::load("room")?, exact::ROOM_FLOOR);
-    let (count, seed) = (desk.choose(1_000_000, 100_000), desk.options.seed);
+    let (count, seed) = (desk.choose(250_000, 100_000), desk.options.seed);
     let eye = Ray::<Flat>::new(Vec2::splat(0.5), Vec2::NEG_Y);
     // ANCHOR: room
     let max_depth = SEGMENTS;

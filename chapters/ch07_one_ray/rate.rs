@@ -14,7 +14,7 @@ use halfdisk::space::{Flat, Ray};
 /// The variance of the mean of `N` paths, whose single one has this variance.
 pub fn chart(desk: &mut Desk, of_one: f64) -> Result<(), DeskError> {
     let design = Design {
-        replicates: desk.choose(256, 64),
+        replicates: desk.choose(128, 64),
         doublings: desk.choose(10, 6),
         first: 1,
         seed: desk.options.seed,

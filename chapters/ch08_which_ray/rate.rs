@@ -11,7 +11,7 @@ use halfdisk::sampling::stream::Stream;
 /// The variance of the mean of `N` weights, by each rule that leaves any.
 pub fn chart(desk: &mut Desk, material: Mixture) -> Result<(), DeskError> {
     let design = Design {
-        replicates: desk.choose(512, 64),
+        replicates: desk.choose(256, 64),
         doublings: desk.choose(10, 6),
         first: 4,
         seed: desk.options.seed,

@@ -28,8 +28,10 @@ fn main() -> ExitCode {
 }
 
 fn work(desk: &mut Desk) -> Result<Ledger, DeskError> {
+    // The room is dim for a screen: shown with twice the light.
+    desk.expose(1.0);
     // One lamp that shrinks over one surface: by chance until so many walks have found it.
-    let finds = desk.choose(25_000.0, 4_000.0);
+    let finds = desk.choose(10_000.0, 4_000.0);
     let (of_sweep, rays_sweep) = figures::sweep(desk, finds)?;
 
     rate::chart(desk)?;
@@ -43,7 +45,7 @@ fn work(desk: &mut Desk) -> Result<Ledger, DeskError> {
     let rays_twice = lamps::twice(desk)?;
 
     // Eight lamps: ask all of them, or one.
-    let count = desk.choose(1_000_000, 100_000);
+    let count = desk.choose(250_000, 100_000);
     let (of_lamps, rays_lamps) = lamps::many(desk, count)?;
 
     // What cannot be aimed at.

@@ -9,7 +9,7 @@ use halfdisk::lab::figures::variance_chart;
 pub fn chart(desk: &mut Desk) -> Result<(), DeskError> {
     let half_angle = 0.1;
     let design = Design {
-        replicates: desk.choose(256, 64),
+        replicates: desk.choose(128, 64),
         doublings: desk.choose(8, 5),
         first: 8,
         seed: desk.options.seed,

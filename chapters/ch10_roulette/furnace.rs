@@ -70,7 +70,7 @@ pub struct Played {
 
 /// Mean and variance of roulette.
 pub fn survivals(desk: &mut Desk) -> Played {
-    let (walks, seed) = (desk.choose(1_000_000, 100_000), desk.options.seed);
+    let (walks, seed) = (desk.choose(400_000, 100_000), desk.options.seed);
     let played: Vec<_> = PERCENT
         .into_par_iter()
         .map(|percent| {
@@ -150,7 +150,7 @@ fn settles(game: &Game) -> bool {
 
 /// What is left of the mean where no walk may be worth more than a bound.
 pub fn clamps(desk: &mut Desk) {
-    let (walks, game) = (desk.choose(400_000, 50_000), game(65));
+    let (walks, game) = (desk.choose(150_000, 50_000), game(65));
     for most in [10.0, 30.0, 100.0] {
         let one = |i| {
             walk(&game, &Stream::new(desk.options.seed, i, 300))

@@ -11,7 +11,7 @@ use halfdisk::sampling::stream::{Purpose, Stream};
 pub fn chart(desk: &mut Desk) -> Result<(), DeskError> {
     let lamp = Overhead::new(1.1);
     let design = Design {
-        replicates: desk.choose(512, 64),
+        replicates: desk.choose(128, 64),
         doublings: desk.choose(10, 6),
         first: 4,
         seed: desk.options.seed,

@@ -19,7 +19,7 @@ use halfdisk::stats::z_test::{FOUR, Largest, z_test};
 /// What each walk reads in a closed room whose walls glow: the rays, and how far
 /// they are from the truth.
 pub fn furnace(desk: &mut Desk) -> Result<(u64, Largest), DeskError> {
-    let walks = desk.choose(8_000, 2_000);
+    let walks = desk.choose(4_000, 1_000);
     let mut rays = 0;
     let mut compared = Largest::default();
     for (percent, max_depth) in [(50, 24), (75, 48)] {
@@ -79,7 +79,7 @@ pub fn furnace(desk: &mut Desk) -> Result<(u64, Largest), DeskError> {
 pub fn mistakes(desk: &mut Desk) -> Result<(), DeskError> {
     let (lamp, heuristic) = (Overhead::new(1.0), Heuristic::Balance);
     let world = lamp.world(2)?;
-    let walks = desk.choose(400_000, 100_000);
+    let walks = desk.choose(150_000, 40_000);
     let seven = 0.93;
     for (name, says, slip) in [
         ("twice", "both weights one", Slip::CountedTwice),

@@ -49,7 +49,7 @@ pub struct Sweep {
 
 /// Runs all of it and records what it found.
 pub fn work(desk: &mut Desk) -> Result<Sweep, DeskError> {
-    let (walks, seed) = (desk.choose(150_000, 20_000), desk.options.seed);
+    let (walks, seed) = (desk.choose(50_000, 20_000), desk.options.seed);
     let sizes: Vec<Size> = HUNDREDTHS
         .into_par_iter()
         .map(|hundredths| size(hundredths, walks, seed))
@@ -127,7 +127,7 @@ fn size(hundredths: u32, walks: u32, seed: u64) -> Result<Size, DeskError> {
 
 /// The same where points of the lamp are drawn by its length, without rays.
 pub fn by_length(desk: &mut Desk) {
-    let samples = desk.choose(1_000_000, 100_000);
+    let samples = desk.choose(400_000, 50_000);
     for hundredths in [3, 100, 150] {
         let lamp = Overhead {
             half_angle: f64::from(hundredths) / 100.0,

@@ -40,7 +40,7 @@ fn work(desk: &mut Desk) -> Result<Ledger, DeskError> {
     let mut rows = Vec::new();
     let mut compared = Largest::default();
     for profile in Profile::all() {
-        let (row, rays) = profile.read(desk.choose(65_536, 4096), seed, |_| {})?;
+        let (row, rays) = profile.read(desk.choose(16_384, 4096), seed, |_| {})?;
         let z = row.iter().map(|r| r.z().abs()).fold(0.0, f64::max);
         let off = row.iter().map(|r| (r.read.mean() - r.exact).abs());
         let name = figures::name(profile.integral);
@@ -64,7 +64,7 @@ fn work(desk: &mut Desk) -> Result<Ledger, DeskError> {
     desk.known("lobe", "energy of the roughest lobe", smooth, 1.0 - LN_2);
 
     // The sky in a groove and in a cone whose walls stand 30 degrees from the middle, as shares.
-    let samples = desk.choose(1_000_000, 200_000);
+    let samples = desk.choose(400_000, 200_000);
     let groove = irradiance::<Flat, _>(ball::<Flat>(0.5, 0.0), samples, seed);
     let cone = irradiance::<Solid, _>(ball::<Solid>(0.5, 0.0), samples, seed);
     desk.estimate("groove", "irradiance in a groove", &groove, Some(1.0));
@@ -79,7 +79,7 @@ fn work(desk: &mut Desk) -> Result<Ledger, DeskError> {
     desk.picture("none.png", text, &none.film, &scene)?;
     let mut sum = 0.0;
     for integral in Integral::ALL {
-        let only = picture(desk, &scene, integral.others(), desk.spp(16, 2))?;
+        let only = picture(desk, &scene, integral.others(), desk.spp(8, 2))?;
         let name = figures::name(integral);
         let caption = figures::look(integral);
         desk.picture(&format!("{name}.png"), caption, &only.film, &scene)?;
@@ -87,14 +87,11 @@ fn work(desk: &mut Desk) -> Result<Ledger, DeskError> {
         drawn += only.rays.total();
     }
     let once = picture(desk, &scene, &[], 1)?;
-    desk.picture(
-        "once.png",
-        "All six with one sample: noise, and right in the mean.",
-        &once.film,
-        &scene,
-    )?;
-    let all = picture(desk, &scene, &[], desk.spp(64, 2))?;
-    desk.picture("all.png", "All six with 64 samples.", &all.film, &scene)?;
+    let text = "All six with one sample: noise, and right in the mean.";
+    desk.picture("once.png", text, &once.film, &scene)?;
+    let scene = scene.sized(desk.choose([512, 384], [160, 120]));
+    let all = picture(desk, &scene, &[], desk.spp(16, 2))?;
+    desk.picture("all.png", "All six with 16 samples.", &all.film, &scene)?;
     cost(desk, "none", &none);
     let variance = cost(desk, "all", &all);
     desk.value("variance_sum", "variances one by one, added up", sum);

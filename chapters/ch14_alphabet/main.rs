@@ -36,6 +36,8 @@ fn main() -> ExitCode {
 }
 
 fn work(desk: &mut Desk) -> Result<Ledger, DeskError> {
+    // The room is dim for a screen: shown with twice the light.
+    desk.expose(1.0);
     // What can be said without a ray.
     automaton::drawing(desk)?;
     dictionary::ask(desk);
@@ -44,7 +46,7 @@ fn work(desk: &mut Desk) -> Result<Ledger, DeskError> {
     // Every path of four renders, spelt.
     let (mut groups, mut spelt) = (Vec::new(), 0);
     for name in SCENES {
-        let side = desk.choose(96, 24);
+        let side = desk.choose(64, 24);
         let scene = gallery::load(name)?.sized([side; 2]);
         let words = spell(desk, &scene);
         spelt += words.rays;
@@ -77,7 +79,7 @@ fn work(desk: &mut Desk) -> Result<Ledger, DeskError> {
 /// The light of a scene by words.
 fn spell(desk: &Desk, scene: &Scene) -> Words {
     let options = Options {
-        spp: desk.spp(64, 8) / REPLICATES,
+        spp: desk.spp(32, 8) / REPLICATES,
         seed: desk.options.seed,
         sampler: Sampler::Sobol,
         ..Options::default()

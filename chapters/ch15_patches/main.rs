@@ -29,6 +29,8 @@ fn main() -> ExitCode {
 }
 
 fn work(desk: &mut Desk) -> Result<Ledger, DeskError> {
+    // The room is dim for a screen: shown with twice the light.
+    desk.expose(1.0);
     // How much of each other two patches see.
     drawing::patches(desk)?;
     forms::work(desk)?;

@@ -7,7 +7,7 @@ use halfdisk::integrators::{Integrator, Radiosity};
 use halfdisk::lab::chapter::{Desk, DeskError};
 use halfdisk::radiosity::{Patch, PatchSize, Solution};
 use halfdisk::render::{Options, Rendered, render};
-use halfdisk::sampling::stream::Stream;
+use halfdisk::sampling::stream::{Sampler, Stream};
 use halfdisk::scene::description::{Description, Material};
 use halfdisk::scene::value::{Albedo, Roughness};
 use halfdisk::scene::{Scene, Tracer, gallery};
@@ -73,7 +73,7 @@ pub fn with_metal(said: &mut Description) {
 pub fn work(desk: &mut Desk) -> Result<u64, DeskError> {
     desk.say("\nthe box with its blocks");
     let scene = gallery::load("cornell")?.sized(desk.choose([256; 2], [48; 2]));
-    let number = PatchSize::Number(desk.choose(1000, 250));
+    let number = PatchSize::Number(desk.choose(600, 250));
     let bar = desk.bar("patches");
     let made = Radiosity::new(&scene, scene.suggested.max_depth, number, &bar)?;
     drop(bar);
@@ -128,8 +128,8 @@ pub fn work(desk: &mut Desk) -> Result<u64, DeskError> {
 fn prices(desk: &mut Desk, scene: &Scene) -> Result<u64, DeskError> {
     let mut rays = 0;
     for (name, number) in [
-        ("some", desk.choose(1000, 250)),
-        ("twice", desk.choose(2000, 500)),
+        ("some", desk.choose(600, 250)),
+        ("twice", desk.choose(1000, 500)),
     ] {
         let bar = desk.bar("patches");
         let start = Moment::now();
@@ -163,8 +163,9 @@ fn prices(desk: &mut Desk, scene: &Scene) -> Result<u64, DeskError> {
 
 fn paint(desk: &Desk, scene: &Scene, by: &impl Integrator) -> Result<Rendered, DeskError> {
     let options = Options {
-        spp: desk.spp(64, 16),
+        spp: desk.spp(16, 16),
         seed: desk.options.seed,
+        sampler: Sampler::Sobol,
         ..Options::default()
     };
     let rendered = render(scene, by, &options, &desk.bar("the box"));

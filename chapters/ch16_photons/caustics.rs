@@ -77,7 +77,7 @@ fn beam(
     direction: Vec2,
     desk: &Desk,
 ) -> (Vec<Photon<Flat>>, u32) {
-    let walks = desk.choose(400_000, 40_000);
+    let walks = desk.choose(150_000, 40_000);
     let by = Photons::in_space::<Flat>(64);
     let mut tracer = FlatTracer::new(world);
     let mut found = Vec::new();

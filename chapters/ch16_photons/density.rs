@@ -50,7 +50,7 @@ fn window(radius: f64, walks: u32) -> (f64, f64) {
 fn variance(desk: &mut Desk) -> Result<(), DeskError> {
     let world = flat_world("lamp.toml", LAMP)?;
     let design = Design {
-        replicates: desk.choose(400, 64),
+        replicates: desk.choose(200, 64),
         doublings: desk.choose(7, 5),
         first: 128,
         seed: desk.options.seed,
@@ -197,7 +197,7 @@ fn plate(desk: &mut Desk) -> Result<(), DeskError> {
     let (walks, radius) = (20_000, 1.0);
     let mut reads = [Estimate::new(), Estimate::new(), Estimate::new()];
     let places = [[5.0, 5.0], [0.0, 5.0], [0.0, 0.0]];
-    for run in 0..desk.choose(40, 12) {
+    for run in 0..desk.choose(16, 12) {
         let mut photons = Vec::new();
         for walk in 0..walks {
             let stream = Stream::new(desk.options.seed, walk, 100 + run);
@@ -242,5 +242,5 @@ fn nearest<S: Space>(desk: &Desk, k: usize, count: Count) -> Estimate {
         let all = f64::from(1 << S::FALL_OFF);
         density::<S>(&mut squares, k, count).map_or(0.0, |d| d * all / f64::from(points))
     };
-    (0..desk.choose(20_000, 4000)).map(one).collect()
+    (0..desk.choose(8_000, 4000)).map(one).collect()
 }

@@ -7,6 +7,7 @@
 mod caustics;
 mod density;
 mod fight;
+mod finale;
 mod landing;
 mod rates;
 mod sweep;
@@ -44,9 +45,10 @@ fn work(desk: &mut Desk) -> Result<Ledger, DeskError> {
     let swept = sweep::work(desk)?;
     let unseen = unseen::work(desk)?;
     let fought = fight::work(desk)?;
+    let last = finale::work(desk)?;
 
     Ok(Ledger {
-        rays: swept + unseen + fought,
+        rays: swept + unseen + fought + last,
         ..Ledger::of(
             "Light that starts at the lamp finds every caustic, also of a point and seen in a mirror. Where photons are \
              counted on discs the noise of caustics falls to a fraction, and a blur comes in its place that falls as slowly.",

@@ -36,7 +36,7 @@ pub fn work(desk: &mut Desk) -> Result<u64, DeskError> {
     let mut rays = 0;
     for (name, method, caption) in methods {
         let options = Options {
-            spp: desk.spp(32, 16),
+            spp: desk.spp(16, 16),
             seed: desk.options.seed,
             ..Options::default()
         };

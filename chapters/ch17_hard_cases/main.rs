@@ -33,7 +33,7 @@ fn work(desk: &mut Desk) -> Result<Ledger, DeskError> {
     spacing::chart(desk)?;
 
     // Where the plain form fails, and ours does not.
-    let n = desk.choose(1_000_000, 20_000);
+    let n = desk.choose(400_000, 20_000);
     let seed = desk.options.seed;
     for case in cases::all(n, seed)? {
         let whose = |whose: &str, value: f64| {
@@ -61,7 +61,7 @@ fn work(desk: &mut Desk) -> Result<Ledger, DeskError> {
     let pictured = acne::pictures(desk)?;
 
     // What the care costs: rounds in several sittings, for what slows a machine lasts longer than a round.
-    let (sittings, rounds) = desk.choose((12, 200), (3, 2));
+    let (sittings, rounds) = desk.choose((12, 80), (3, 2));
     let pairs = pairs(4096);
     let mut ratios = vec![Estimate::new(); pairs.len()];
     for _ in 0..sittings {

@@ -34,7 +34,7 @@ fn picture(desk: &Desk, name: &str, side: u32, spp: u32) -> Result<Rendered, Des
 
 /// The variance of one sample and the samples that are needed, pixel by pixel; the rays.
 pub fn box_of_noise(desk: &mut Desk) -> Result<u64, DeskError> {
-    let found = picture(desk, "cornell", desk.choose(96, 32), desk.choose(64, 16))?;
+    let found = picture(desk, "cornell", desk.choose(80, 32), desk.choose(48, 16))?;
     let accuracy = Accuracy::of(&found.film);
     let map = |title: &str, label: &str, values: Vec<f64>| HeatMap {
         title: title.to_owned(),
@@ -63,7 +63,7 @@ pub fn four_scenes(desk: &mut Desk) -> Result<u64, DeskError> {
     let mut needs = Vec::new();
     let mut rays = 0;
     for name in SCENES {
-        let found = picture(desk, name, desk.choose(48, 24), desk.choose(64, 16))?;
+        let found = picture(desk, name, desk.choose(40, 24), desk.choose(48, 16))?;
         rays += found.rays.total();
         let required = Accuracy::of(&found.film).required(TARGET);
         let share = |test: fn(f64) -> bool| {

@@ -4,6 +4,7 @@
 //! New here: `effects`, `halfdisk effects`. Simulates `L(D|S|G)*E`, of which each scene asks for a
 //! part. Builds on: all chapters.
 
+mod finale;
 mod pictures;
 mod race;
 mod report;
@@ -22,7 +23,7 @@ const CHAPTER: Chapter = Chapter {
 };
 
 /// The scene of this chapter.
-const FINAL: &str = "final";
+const ROOM: &str = "room";
 
 fn main() -> ExitCode {
     Desk::run(&CHAPTER, work)
@@ -30,9 +31,11 @@ fn main() -> ExitCode {
 
 fn work(desk: &mut Desk) -> Result<Ledger, DeskError> {
     // What the scene calls for, by reading it.
-    report::of_final(desk)?;
+    report::of_room(desk)?;
     let asked = report::point_through_glass(desk)? + unseen::pictures(desk)?;
 
+    // The room is dim for a screen: shown with twice the light.
+    desk.expose(1.0);
     // The picture, and what each class of paths has of it.
     let drawn = pictures::work(desk)?;
 
@@ -41,8 +44,11 @@ fn work(desk: &mut Desk) -> Result<Ledger, DeskError> {
 
     // Every integrator of the book on this scene.
     let race = race::work(desk)?;
+
+    // All of it together.
+    let last = finale::work(desk)?;
     Ok(Ledger {
-        rays: asked + drawn.rays + measured + race.rays,
+        rays: asked + drawn.rays + measured + race.rays + last,
         variance: Some(drawn.variance),
         efficiency: Some(1.0 / (drawn.variance * drawn.per_sample)),
         ..Ledger::of(&format!(

@@ -1,6 +1,6 @@
-//! The final scene, whole and class by class.
+//! The room, whole and class by class.
 
-use crate::{FINAL, load};
+use crate::{ROOM, load};
 use halfdisk::integrators::{FilteredPath, Integrator, Path};
 use halfdisk::lab::chapter::{Desk, DeskError, Number};
 use halfdisk::lab::effects::language::{Class, Finds, finds};
@@ -46,17 +46,17 @@ fn look_at(class: Class) -> &'static str {
 
 /// Paints them.
 pub fn work(desk: &mut Desk) -> Result<Drawn, DeskError> {
-    let scene = load(FINAL, desk.choose([360; 2], [48; 2]))?;
+    let scene = load(ROOM, desk.choose([240; 2], [48; 2]))?;
     let path = Path::new(scene.suggested.max_depth);
-    let whole = paint(desk, &scene, desk.spp(48, 8), &path)?;
-    let caption = "The final room. Look for the bright spot that the glass ball gathers on the floor, for the second one \
+    let whole = paint(desk, &scene, desk.spp(16, 8), &path)?;
+    let caption = "The room. Look for the bright spot that the glass ball gathers on the floor, for the second one \
                    high on the green wall, which the mirror throws there, and for the tint that the walls lend to the \
                    ceiling. The specks on the block and in the ball are caustics seen in a mirror or through glass: the \
                    one kind of light here that is still found by chance.";
     desk.picture("image.png", caption, &whole.film, &scene)?;
 
-    let scene = load(FINAL, desk.choose([144; 2], [32; 2]))?;
-    let spp = desk.spp(32, 8);
+    let scene = load(ROOM, desk.choose([128; 2], [32; 2]))?;
+    let spp = desk.spp(16, 8);
     let all = paint(desk, &scene, spp, &path)?;
     let total = all.film.mean().0;
     let mut rays = whole.rays.total() + all.rays.total();
@@ -101,7 +101,7 @@ fn paint(
         sampler: Sampler::Sobol,
         ..Options::default()
     };
-    let rendered = render(scene, by, &options, &desk.bar("final"));
+    let rendered = render(scene, by, &options, &desk.bar("room"));
     if rendered.interrupted {
         return Err(DeskError::Interrupted);
     }

@@ -1,6 +1,6 @@
-//! Every integrator of the book on the final scene: error against rays and seconds.
+//! Every integrator of the book on the room: error against rays and seconds.
 
-use crate::{FINAL, load};
+use crate::{ROOM, load};
 use halfdisk::integrators::{self, Kajiya, Path, Settings, WALKS, Whitted};
 use halfdisk::lab::chapter::{Desk, DeskError, Number};
 use halfdisk::lab::drawing::{Axis, Curve, CurveChart, HALF, Style};
@@ -37,12 +37,12 @@ struct Entry {
 
 /// Lets them run.
 pub fn work(desk: &mut Desk) -> Result<Race, DeskError> {
-    let scene = load(FINAL, desk.choose([32; 2], [12; 2]))?;
+    let scene = load(ROOM, desk.choose([20; 2], [12; 2]))?;
     let (truth, mut rays) = reference(desk, &scene)?;
     let sizes = desk.choose(4, 2);
     let mut entries = vec![vec![Entry::default(); SIZES.len()]; WALKS.len()];
     // In turns, so that what else the machine does is shared fairly.
-    for replicate in 0..desk.choose(10, 3) {
+    for replicate in 0..desk.choose(6, 3) {
         for (size, spp) in SIZES.into_iter().take(sizes).enumerate() {
             for (place, integrator) in WALKS.into_iter().enumerate() {
                 let options = Options {
@@ -129,7 +129,7 @@ fn chart(desk: &mut Desk, entries: &[Vec<Entry>], sizes: usize) -> Result<(), De
         WALKS.into_iter().zip(entries).map(curve).collect()
     };
     let chart = |x_label: &str, curves| CurveChart {
-        title: "Every integrator in the final room".to_owned(),
+        title: "Every integrator in the room".to_owned(),
         x_label: x_label.to_owned(),
         y_label: "root of the mean squared relative error".to_owned(),
         x_axis: Axis::Log,
@@ -141,7 +141,7 @@ fn chart(desk: &mut Desk, entries: &[Vec<Entry>], sizes: usize) -> Result<(), De
                    fall with the slope -1/2, from different heights. Bars: one standard error.";
     desk.figure("chart.svg", caption, by_rays.to_svg_at(HALF)?)?;
     let by_time = chart("seconds", curves(|entry| entry.seconds.mean()));
-    let caption = "The same against the seconds of a picture of 32 x 32 pixels, on the machine that ran this. The order is \
+    let caption = "The same against the seconds of one such picture, on the machine that ran this. The order is \
                    the same: rays tell most of the time. Bars: one standard error.";
     desk.figure("seconds.svg", caption, by_time.to_svg_at(HALF)?)
 }
@@ -164,7 +164,7 @@ fn root(square: &Estimate) -> [f64; 2] {
 /// Two pictures of many samples, whose noise is independent, and the rays they took.
 fn reference(desk: &Desk, scene: &Scene) -> Result<(Reference, u64), DeskError> {
     let mut rays = 0;
-    let spp = desk.choose(1024, 256);
+    let spp = desk.choose(512, 256);
     let mut half = |seed| {
         let options = Options {
             spp,

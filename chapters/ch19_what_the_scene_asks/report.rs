@@ -1,6 +1,6 @@
 //! What a scene calls for, by reading it.
 
-use crate::FINAL;
+use crate::ROOM;
 use glam::DVec2;
 use halfdisk::integrators::{FilteredPath, Kajiya, Path};
 use halfdisk::lab::chapter::{Desk, DeskError, Number};
@@ -19,8 +19,8 @@ use halfdisk::stats::Estimate;
 use std::f64::consts::PI;
 
 /// One line for each effect.
-pub fn of_final(desk: &mut Desk) -> Result<(), DeskError> {
-    let scene = gallery::load(FINAL)?;
+pub fn of_room(desk: &mut Desk) -> Result<(), DeskError> {
+    let scene = gallery::load(ROOM)?;
     let plan = plan::plan(&scene);
     for line in &plan.lines {
         let name = line.effect.name();
@@ -120,7 +120,7 @@ pub fn point_through_glass(desk: &mut Desk) -> Result<u64, DeskError> {
     let radius = 0.2;
     let scene = load(|said| ball(said, radius))?;
     let (mut share, mut unseen) = (Estimate::new(), Estimate::new());
-    for seed in 0..desk.choose(16, 8) {
+    for seed in 0..desk.choose(12, 8) {
         let options = Options { seed, ..options };
         let words = words(&scene, &path, &options, 1);
         rays += words.rays;

@@ -1,6 +1,6 @@
 //! What effects are worth, and what absent ones cost where they are not left out.
 
-use crate::{FINAL, load};
+use crate::{ROOM, load};
 use halfdisk::integrators::Path;
 use halfdisk::lab::chapter::{Desk, DeskError, Number};
 use halfdisk::lab::drawing::{Bar, BarChart, BarGroup};
@@ -11,12 +11,12 @@ use halfdisk::scene::Scene;
 use halfdisk::stats::slope::student_95;
 
 /// Scenes that lack something.
-const SCENES: [&str; 6] = ["cornell", FINAL, "caustic", "gloss", "veach", "mesh"];
+const SCENES: [&str; 6] = ["cornell", ROOM, "caustic", "gloss", "veach", "mesh"];
 
-/// Leaves out each effect that the final scene calls for; the rays it took.
+/// Leaves out each effect that the room calls for; the rays it took.
 pub fn worth(desk: &mut Desk) -> Result<u64, DeskError> {
-    let side = desk.choose(40, 24);
-    let scene = load(FINAL, [side; 2])?;
+    let side = desk.choose(32, 24);
+    let scene = load(ROOM, [side; 2])?;
     let (spp, rounds) = desk.choose((8, 10), (8, 6));
     let with = Setup {
         scene: scene.clone(),
@@ -50,7 +50,7 @@ pub fn worth(desk: &mut Desk) -> Result<u64, DeskError> {
 
 /// Leaves every absent effect at work, at no strength; the rays it took.
 pub fn absent(desk: &mut Desk) -> Result<u64, DeskError> {
-    let (spp, rounds) = desk.choose((4, 16), (1, 4));
+    let (spp, rounds) = desk.choose((2, 12), (1, 4));
     let (mut groups, mut rays) = (Vec::new(), 0);
     for name in SCENES {
         let size = desk.choose([48; 2], [16; 2]);

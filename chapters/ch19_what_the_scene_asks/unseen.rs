@@ -30,7 +30,7 @@ pub fn pictures(desk: &mut Desk) -> Result<u64, DeskError> {
     let mut rays = 0;
     for (file, method, caption) in methods {
         let options = Options {
-            spp: desk.spp(32, 8),
+            spp: desk.spp(16, 8),
             seed: desk.options.seed,
             ..Options::default()
         };

@@ -1,4 +1,4 @@
-//! Chapter 19, exercise 2: add one effect to the final scene, and predict the new report.
+//! Chapter 19, exercise 2: add one effect to the room, and predict the new report.
 //!
 //! Each change is one line of the scene file. The prediction names the effects whose line in the
 //! report moves from "not simulated" to "simulated", and the light paths that follow.
@@ -92,7 +92,7 @@ const PREDICTIONS: [Prediction; 5] = [
 ];
 
 fn planned(change: impl FnOnce(&mut Description)) -> Result<Plan, SceneError> {
-    Ok(plan(&gallery::load_with("final", change)?))
+    Ok(plan(&gallery::load_with("room", change)?))
 }
 
 /// The effects that are simulated by the second plan and not by the first, or the other way round.

@@ -1,7 +1,7 @@
 //! `halfdisk classify`.
 
 use super::answer::answer;
-use super::{Stop, folder, reduced};
+use super::{Stop, folder, reduced, sheet};
 use crate::integrators::{Entry, LADDER, Path};
 use crate::lab::chapter::{Bar, on_ctrl_c, tell, whole};
 use crate::lab::effects::by_class::by_class;
@@ -71,6 +71,8 @@ struct Sorted {
     words: Option<Vec<OfWord>>,
     classes: Vec<OfClass>,
     strip: String,
+    /// The same pictures under their names, each as bright as it can be shown.
+    drawn: Vec<String>,
     sum_is_off_by: f64,
     interrupted: bool,
     /// All paths, as an expression.
@@ -120,6 +122,7 @@ impl Classify {
         let folder = folder(&self.out, "classify", &self.scene);
         let strip = folder.join("strip.png");
         output::prepare(&strip, &scene)?;
+        output::prepare(&folder.join("classes.png"), &scene)?;
 
         let path = Path::new(scene.suggested.max_depth);
         let options = Options {
@@ -146,6 +149,11 @@ impl Classify {
         let films: Vec<&Film> = pictures.iter().chain([whole]).collect();
         let kept =
             output::write_somewhere(&strip, &Film::beside(&films), Shades::Radiance, &facts)?;
+        // What the strip shows is told even where this cannot be written.
+        let (drawn, undrawn) = match sheet(&folder.join("classes"), &scene, &classes, &films) {
+            Ok(drawn) => (drawn, None),
+            Err(why) => (Vec::new(), Some(why)),
+        };
 
         let quarter = Options {
             spp: self.spp / REPLICATES,
@@ -162,6 +170,7 @@ impl Classify {
             words: words.as_ref().map(by_word),
             classes: by_class_of(&scene, &classes, &pictures),
             strip: kept.path.display().to_string(),
+            drawn,
             sum_is_off_by: largest_difference(&pictures, whole),
             interrupted: words.is_none(),
             paths: paths.to_string(),
@@ -170,12 +179,15 @@ impl Classify {
             scene: scene.name,
         };
         if !self.json {
-            tell(format_args!("wrote {}", sorted.strip));
+            for file in [&sorted.strip].into_iter().chain(&sorted.drawn) {
+                tell(format_args!("wrote {file}"));
+            }
         }
         answer(&sorted, self.json)?;
         if let Some(what) = kept.complaint() {
             return Err(Stop::Failure(what));
         }
+        undrawn.map_or(Ok(()), Err)?;
         if rendered.interrupted {
             let fewest = fewest.unwrap_or(0);
             tell(format_args!(
@@ -189,6 +201,29 @@ impl Classify {
         }
         Ok(())
     }
+}
+
+/// Draws the classes and, last, all of the light.
+fn sheet(
+    name: &std::path::Path,
+    scene: &Scene,
+    classes: &[Class],
+    films: &[&Film],
+) -> Result<Vec<String>, Stop> {
+    let whole = films.last().map_or(0.0, |film| film.mean().0);
+    let names = classes.iter().map(|class| (class.name(), class.text()));
+    let all: Vec<sheet::OfClass> = names
+        .chain([("all light", "L(D|S|G)*E")])
+        .zip(films)
+        .map(|((name, words), film)| sheet::OfClass {
+            name,
+            words,
+            film,
+            share: film.mean().0 / whole,
+        })
+        .collect();
+    let title = format!("{}: the light by its paths", scene.name);
+    sheet::write(name, title, &all)
 }
 
 /// By how much the sum of all classes misses the whole picture, in the worst pixel, relative to the

@@ -80,6 +80,7 @@ impl Render {
             ("radius", self.photons.radius().map(|r| r.to_string())),
             ("patches", patches),
             ("patch-size", patch_size),
+            ("exposure", self.exposure.again()),
             ("paths", self.demand.paths.as_ref().map(ToString::to_string)),
             ("without", (!without.is_empty()).then(|| without.join(","))),
         ];

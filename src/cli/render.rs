@@ -4,13 +4,13 @@ use super::answer::{print, to_json};
 use super::checkpoint::Keeper;
 use super::choices::{Points, by_name, size};
 use super::demand::{Demand, bias};
+use super::exposure::Exposure;
 use super::left_out::LeftOut;
 use super::light_paths::LightPaths;
 use super::long::Long;
 use super::maps::Maps;
 use super::patching::{Patched, Patching};
 use super::photons::{Landed, PhotonArgs};
-use super::picture::display;
 use super::report::Report;
 use super::resume::Resumed;
 use super::stop::{Ended, Ending};
@@ -63,6 +63,8 @@ pub struct Render {
     /// [default: out/FILE.png after the scene's file; by another integrator than path out/FILE-NAME.png]
     #[arg(long, value_name = "FILE")]
     pub(super) out: Option<PathBuf>,
+    #[command(flatten)]
+    pub(super) exposure: Exposure,
     #[command(flatten)]
     pub(super) light_paths: LightPaths,
     #[command(flatten)]
@@ -160,6 +162,7 @@ impl Render {
         // Checked before any work, so that none is lost to a misspelt name or a closed folder.
         let path = self.path();
         output::prepare(&path, &scene)?;
+        self.exposure.check(&path, self.integrator)?;
         self.long.check(&path)?;
         self.long.sweep(&path);
         let views = self.views.of(&scene, &path)?;
@@ -228,7 +231,7 @@ impl Render {
             return Err(Stop::Interrupted);
         }
         left_out.iter_mut().for_each(|l| l.see(&scene, rendered));
-        let display = display(self.integrator, &rendered.film);
+        let display = self.exposure.display(self.integrator, &rendered.film);
         let photons = made.photons();
         let mut landed = photons.map(|photons| Landed::new(photons, &scene, outcome.spp));
         let facts = Provenance {
@@ -292,6 +295,7 @@ impl Render {
             out: path.display().to_string(),
             accuracy: Ended::new(&outcome, &goal, facts.sampler, left_out),
             too_bright_pixels: self.too_bright(&scene, rendered, max_depth),
+            clipped_pixels: output::clipped(&rendered.film, display, path),
             maps,
             views: seen,
             no_maps,

@@ -27,6 +27,8 @@ pub(super) struct Report<'a> {
     pub out: String,
     pub accuracy: Ended<'a>,
     pub too_bright_pixels: usize,
+    /// Pixels that are brighter than the file can show; `None` where it can hold any radiance.
+    pub clipped_pixels: Option<usize>,
     pub maps: Vec<String>,
     pub views: Vec<String>,
     /// Why there are no maps, or not all of them.
@@ -156,6 +158,14 @@ impl Report<'_> {
             writeln!(
                 f,
                 "warning: {what} brighter than the scene's lights and albedos allow"
+            )?;
+        }
+        if let Some(pixels) = self.clipped_pixels.filter(|&pixels| pixels > 0) {
+            let share = 100.0 * pixels as f64 / made.film.pixels().len() as f64;
+            let what = count(pixels, "pixel is", "pixels are");
+            writeln!(
+                f,
+                "{what} brighter than white ({share:.2} %); `--exposure` chooses how bright a picture is shown"
             )?;
         }
         if made.interrupted {

@@ -1,38 +1,62 @@
 //! `halfdisk tour`.
 
+mod child;
+mod programs;
+mod waiting;
+
 use super::answer::print;
 use super::{Stop, check_folder, page, save};
 use crate::lab::chapter::{Record, on_ctrl_c, tell};
 use clap::Args;
-use std::io::Read;
+use programs::{file_of, programs};
 use std::path::{Path, PathBuf};
-use std::process::{Command, Output, Stdio};
+use std::process::Command;
 use std::sync::atomic::Ordering;
-use std::time::{Duration, Instant};
+use std::time::Instant;
+use waiting::{Waiting, lasting};
 
-/// The chapters: short name and program. The last one draws the pictures of the book's reference pages.
-const CHAPTERS: &[(&str, &str)] = &[
-    ("ch01", "ch01-from-the-eye"),
-    ("ch02", "ch02-whitteds-tree"),
-    ("ch03", "ch03-hit-or-miss"),
-    ("ch04", "ch04-half-disk"),
-    ("ch05", "ch05-importance-sampling"),
-    ("ch06", "ch06-gather"),
-    ("ch07", "ch07-one-ray"),
-    ("ch08", "ch08-which-ray"),
-    ("ch09", "ch09-aim-at-the-light"),
-    ("ch10", "ch10-roulette"),
-    ("ch11", "ch11-combine"),
-    ("ch12", "ch12-the-path-tracer"),
-    ("ch13", "ch13-six-integrals"),
-    ("ch14", "ch14-alphabet"),
-    ("ch15", "ch15-patches"),
-    ("ch16", "ch16-photons"),
-    ("ch17", "ch17-hard-cases"),
-    ("ch18", "ch18-cost"),
-    ("ch19", "ch19-what-the-scene-asks"),
-    ("scenes", "book-pictures"),
+/// A chapter of the tour.
+struct Stage {
+    /// Short name, and the folder of its results.
+    id: &'static str,
+    program: &'static str,
+    /// Seconds of a full run on two cores. Only the time that is left is told from them.
+    usual: f64,
+}
+
+const fn stage(id: &'static str, program: &'static str, usual: f64) -> Stage {
+    Stage { id, program, usual }
+}
+
+/// The chapters. The last one draws the pictures of the book's reference pages.
+const CHAPTERS: &[Stage] = &[
+    stage("ch01", "ch01-from-the-eye", 4.0),
+    stage("ch02", "ch02-whitteds-tree", 2.0),
+    stage("ch03", "ch03-hit-or-miss", 2.0),
+    stage("ch04", "ch04-half-disk", 2.0),
+    stage("ch05", "ch05-importance-sampling", 1.5),
+    stage("ch06", "ch06-gather", 3.5),
+    stage("ch07", "ch07-one-ray", 4.0),
+    stage("ch08", "ch08-which-ray", 3.0),
+    stage("ch09", "ch09-aim-at-the-light", 4.0),
+    stage("ch10", "ch10-roulette", 4.5),
+    stage("ch11", "ch11-combine", 4.5),
+    stage("ch12", "ch12-the-path-tracer", 7.0),
+    stage("ch13", "ch13-six-integrals", 5.5),
+    stage("ch14", "ch14-alphabet", 3.5),
+    stage("ch15", "ch15-patches", 8.0),
+    stage("ch16", "ch16-photons", 10.0),
+    stage("ch17", "ch17-hard-cases", 1.0),
+    stage("ch18", "ch18-cost", 7.0),
+    stage("ch19", "ch19-what-the-scene-asks", 15.0),
+    stage("scenes", "book-pictures", 16.0),
 ];
+
+/// The chapters by their short names, with their programs.
+#[cfg(test)]
+pub(super) fn programs_by_id() -> impl Iterator<Item = (&'static str, &'static str)> {
+    CHAPTERS.iter().map(|stage| (stage.id, stage.program))
+}
 
 /// Run the chapters in order; write the gallery page and the ledger. Ctrl-C keeps the chapters that are
 /// done.
@@ -41,6 +65,9 @@ pub struct Tour {
     /// Fewer samples: a first look in seconds
     #[arg(long)]
     quick: bool,
+    /// Pictures for print: sixteen times the samples, and larger
+    #[arg(long, conflicts_with = "quick")]
+    fine: bool,
     /// Only these chapters, such as 01,02
     #[arg(long, value_delimiter = ',', value_name = "CHAPTERS", value_parser = chapter)]
     only: Vec<usize>,
@@ -57,9 +84,9 @@ fn chapter(text: &str) -> Result<usize, String> {
         .map_or(name.to_owned(), |number| format!("ch{number:02}"));
     CHAPTERS
         .iter()
-        .position(|(known, _)| *known == id)
+        .position(|known| known.id == id)
         .ok_or_else(|| {
-            let numbers = CHAPTERS.iter().map(|(id, _)| id.trim_start_matches("ch"));
+            let numbers = CHAPTERS.iter().map(|c| c.id.trim_start_matches("ch"));
             let numbers: Vec<&str> = numbers.collect();
             format!("the chapters are {}", numbers.join(", "))
         })
@@ -69,17 +96,21 @@ impl Tour {
     pub(super) fn run(self) -> Result<(), Stop> {
         check_folder(&self.out)?;
         let folder = programs()?;
-        let chosen: Vec<(&str, &str)> = CHAPTERS
+        let chosen: Vec<&Stage> = CHAPTERS
             .iter()
             .enumerate()
             .filter(|(place, _)| self.only.is_empty() || self.only.contains(place))
-            .map(|(_, names)| *names)
+            .map(|(_, stage)| stage)
             .collect();
+        let start = Instant::now();
+        let mut waiting = Waiting::new(chosen.iter().map(|stage| stage.usual).collect());
         let mut ended = Ok(());
         let mut said = Ok(());
         let mut done = 0;
-        for (id, program) in &chosen {
-            let record = match self.run_chapter(&folder, id, program) {
+        for stage in &chosen {
+            let record = self.run_chapter(&folder, stage, &waiting);
+            waiting.end();
+            let record = match record {
                 Ok(record) => record,
                 Err(why) => {
                     ended = Err(why);
@@ -87,11 +118,8 @@ impl Tour {
                 }
             };
             done += 1;
-            let ledger = record.ledger.map(|l| l.to_string()).unwrap_or_default();
-            let count = chosen.len();
-            let line = format!("[{done}/{count}] {id} {}: {ledger}\n", record.title);
             // The chapters are worth running where nobody can read about them.
-            said = said.and(print(&line));
+            said = said.and(print(&line(done, chosen.len(), &record)));
         }
         if matches!(ended, Err(Stop::Interrupted)) {
             tell(format_args!(
@@ -101,80 +129,63 @@ impl Tour {
         }
         // The page shows every chapter that has results, also from an earlier run.
         let mut records = Vec::new();
-        for (id, _) in CHAPTERS {
-            if self.out.join(id).join("data.json").exists() {
-                records.push(read_record(&self.out.join(id))?);
+        for stage in CHAPTERS {
+            if self.out.join(stage.id).join("data.json").exists() {
+                let record = read_record(&self.out.join(stage.id))?;
+                records.push((record, stage.program));
             }
         }
         if records.is_empty() {
             return ended.and(said);
         }
         let index = self.out.join("index.html");
-        save(&index, page::html(&records)?)?;
+        save(&index, page::html(&records, &self.out)?)?;
         tell(format_args!(
-            "open {} to see the pictures, the charts and the ledger",
+            "{done} chapters in {}; open {} to see them",
+            lasting(start.elapsed().as_secs_f64()),
             index.display()
         ));
         ended.and(said)
     }
 
-    fn run_chapter(&self, folder: &Path, id: &str, program: &str) -> Result<Record, Stop> {
-        let program = file_of(folder, program);
+    fn run_chapter(&self, folder: &Path, stage: &Stage, waiting: &Waiting) -> Result<Record, Stop> {
+        let program = file_of(folder, stage.program);
         let mut command = Command::new(&program);
-        command.arg("--out").arg(&self.out).stderr(Stdio::inherit());
+        command.arg("--out").arg(&self.out);
         if self.quick {
             command.arg("--quick");
         }
-        let output = finish(command)
+        if self.fine {
+            command.arg("--fine");
+        }
+        let output = child::finish(command, waiting.begin(stage.program))
             .map_err(|e| Stop::Failure(format!("{} cannot be started: {e}", program.display())))?;
         if on_ctrl_c().load(Ordering::Relaxed) {
             return Err(Stop::Interrupted);
         }
         if !output.status.success() {
-            return Err(Stop::Failure(format!("{id} failed ({})", output.status)));
+            let why = String::from_utf8_lossy(&output.stderr);
+            let (id, status) = (stage.id, output.status);
+            return Err(Stop::Failure(format!(
+                "{id} failed ({status}): {}",
+                why.trim()
+            )));
         }
-        let folder = self.out.join(id);
+        let folder = self.out.join(stage.id);
         save(&folder.join("output.txt"), output.stdout)?;
         read_record(&folder)
     }
 }
 
-/// How long a chapter may take to end by itself, and how often it is looked at.
-const GRACE: Duration = Duration::from_millis(500);
-const OFTEN: Duration = Duration::from_millis(20);
-
-/// Runs a program to its end, or until a wish to stop: Ctrl-C reaches it, too, so that it may end by
-/// itself; a request to terminate may be this program's alone.
-fn finish(mut command: Command) -> std::io::Result<Output> {
-    let stop = on_ctrl_c();
-    let mut child = command.stdout(Stdio::piped()).spawn()?;
-    let pipe = child.stdout.take();
-    let reader = std::thread::spawn(move || {
-        let mut read = Vec::new();
-        let result = pipe.map_or(Ok(0), |mut pipe| pipe.read_to_end(&mut read));
-        result.map(|_| read)
-    });
-    let mut asked = None;
-    let status = loop {
-        if let Some(status) = child.try_wait()? {
-            break status;
-        }
-        if stop.load(Ordering::Relaxed) {
-            let asked = *asked.get_or_insert_with(Instant::now);
-            if asked.elapsed() > GRACE {
-                // Its files are whole at any time.
-                child.kill()?;
-                break child.wait()?;
-            }
-        }
-        std::thread::sleep(OFTEN);
+/// What a chapter found, in one line.
+fn line(done: usize, of: usize, record: &Record) -> String {
+    let width = of.to_string().len();
+    let (seconds, gain) = match &record.ledger {
+        Some(ledger) => (lasting(ledger.seconds), ledger.gain.as_str()),
+        None => Default::default(),
     };
-    let stdout = reader.join().unwrap_or_else(|_| Ok(Vec::new()))?;
-    Ok(Output {
-        status,
-        stdout,
-        stderr: Vec::new(),
-    })
+    let title = &record.title;
+    format!("[{done:>width$}/{of}] {seconds:>6}  {title}: {gain}\n")
 }
 
 fn read_record(folder: &Path) -> Result<Record, Stop> {
@@ -184,62 +195,32 @@ fn read_record(folder: &Path) -> Result<Record, Stop> {
     serde_json::from_str(&text).map_err(|e| Stop::Failure(format!("{}: {e}", path.display())))
 }
 
-/// The file of a program.
-fn file_of(folder: &Path, program: &str) -> PathBuf {
-    folder
-        .join(program)
-        .with_extension(std::env::consts::EXE_EXTENSION)
-}
-
-/// The folder of the chapter programs, beside this one. Under cargo they are brought up to date
-/// first, as cargo built only this program; installed, they were installed together.
-fn programs() -> Result<PathBuf, Stop> {
-    let this = std::env::current_exe()?;
-    let folder = this.parent().unwrap_or(Path::new(".")).to_owned();
-    if let (Some(cargo), Some(package)) = (
-        std::env::var_os("CARGO"),
-        std::env::var_os("CARGO_MANIFEST_DIR"),
-    ) {
-        build(Path::new(&cargo), Path::new(&package), &folder)?;
-    }
-    let missing = CHAPTERS
-        .iter()
-        .find(|(_, program)| !file_of(&folder, program).exists());
-    match missing {
-        None => Ok(folder),
-        Some((_, program)) => Err(Stop::Failure(format!(
-            "{program} is not in {}; build it there with `cargo build --release --bins`, or run \
-             `cargo run --release -- tour`",
-            folder.display()
-        ))),
-    }
-}
-
-fn build(cargo: &Path, package: &Path, folder: &Path) -> Result<(), Stop> {
-    let mut command = Command::new(cargo);
-    command.args(["build", "--bins"]).current_dir(package);
-    if !cfg!(debug_assertions) {
-        command.arg("--release");
-    }
-    // The profile's folder lies in the target folder, wherever the user has put that.
-    if let Some(target) = folder.parent() {
-        command.arg("--target-dir").arg(target);
-    }
-    // Cargo's output must not mix with the ledger on stdout.
-    let status = command
-        .stdout(Stdio::null())
-        .status()
-        .map_err(|e| Stop::Failure(format!("{} cannot be started: {e}", cargo.display())))?;
-    if status.success() {
-        Ok(())
-    } else {
-        Err(Stop::Failure("the chapters could not be built".to_owned()))
-    }
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::lab::ledger::Ledger;
+
+    #[test]
+    fn a_chapter_is_told_in_one_line_without_jargon() {
+        let record = Record {
+            chapter: "ch03".to_owned(),
+            title: "Hit or miss".to_owned(),
+            question: String::new(),
+            seed: 1,
+            quick: false,
+            numbers: Default::default(),
+            figures: Vec::new(),
+            ledger: Some(Ledger {
+                seconds: 4.27,
+                variance: Some(2.7),
+                ..Ledger::of("Four times the darts for half the error.")
+            }),
+        };
+        assert_eq!(
+            line(3, 20, &record),
+            "[ 3/20]  4.3 s  Hit or miss: Four times the darts for half the error.\n"
+        );
+    }
 
     #[test]
     fn chapters_are_chosen_by_number_and_the_pictures_of_the_book_by_name() {
@@ -250,7 +231,7 @@ mod tests {
             ("scenes", "scenes"),
         ] {
             assert_eq!(
-                chapter(text).map(|place| CHAPTERS[place].0),
+                chapter(text).map(|place| CHAPTERS[place].id),
                 Ok(id),
                 "{text}"
             );

@@ -14,7 +14,7 @@ mod state_file;
 pub use file::{can_save, save, sweep};
 pub use made::made;
 pub use parts::{Merged, Parts, merged};
-pub use png_file::png_bytes;
+pub use png_file::{png_bytes, shades};
 pub use read::read;
 
 use crate::render::{Film, Shard, Tally};
@@ -28,11 +28,36 @@ use std::path::{Path, PathBuf};
 pub enum Display {
     /// Radiance: 1 is white, encoded with the sRGB curve.
     Radiance,
+    /// Radiance, brighter by so many stops: each doubles it. Only what a screen shows changes, in PNG files.
+    Exposed {
+        /// The stops, of either sign.
+        stops: f64,
+    },
     /// Data such as normals: the given value is white, and shades are proportional.
     Data {
         /// The value shown as white.
         white: f64,
     },
+}
+
+impl Display {
+    /// The factor of radiance before it is encoded; `None` for data.
+    fn exposure(self) -> Option<f64> {
+        match self {
+            Display::Radiance => Some(1.0),
+            Display::Exposed { stops } => Some(libm::exp2(stops)),
+            Display::Data { .. } => None,
+        }
+    }
+}
+
+/// The pixels of which a channel is brighter than the white of the file; `None` where the format has no white, or
+/// the picture shows data.
+pub fn clipped(film: &Film, display: Display, path: &Path) -> Option<usize> {
+    let factor = display.exposure()?;
+    let is_clipped = |mean: [f64; 3]| mean.iter().any(|x| x * factor > 1.0);
+    let means = film.pixels().iter().filter_map(|pixel| pixel.mean());
+    (Format::of(path)? == Format::Png).then(|| means.filter(|mean| is_clipped(*mean)).count())
 }
 
 /// What made a picture; written into the file where its format can hold it.

@@ -17,17 +17,18 @@ pub fn png_bytes(
     encode(film, display, provenance).map_err(|e| OutputError::Encoding("PNG".to_owned(), e))
 }
 
+/// The shades in which a PNG file shows a film, pixel by pixel.
+pub fn shades(film: &Film, display: Display) -> Vec<[u8; 3]> {
+    film.pixels().iter().map(|p| shade(p, display)).collect()
+}
+
 fn encode(film: &Film, display: Display, provenance: &Provenance) -> Result<Vec<u8>, String> {
-    let pixels: Vec<u8> = film
-        .pixels()
-        .iter()
-        .flat_map(|p| shade(p, display))
-        .collect();
+    let pixels = shades(film, display).concat();
     let mut bytes = Vec::new();
     let mut encoder = png::Encoder::new(&mut bytes, film.width(), film.height());
     encoder.set_color(png::ColorType::Rgb);
     encoder.set_depth(png::BitDepth::Eight);
-    if display == Display::Radiance {
+    if display.exposure().is_some() {
         encoder.set_source_srgb(png::SrgbRenderingIntent::RelativeColorimetric);
     }
     let facts = serde_json::to_string(provenance).map_err(|e| e.to_string())?;
@@ -67,6 +68,7 @@ fn shade(pixel: &Pixel, display: Display) -> [u8; 3] {
     };
     mean.map(|x| match display {
         Display::Radiance => quantise(srgb_encode(x)),
+        Display::Exposed { stops } => quantise(srgb_encode(x * libm::exp2(stops))),
         Display::Data { white } if white > 0.0 => quantise(x / white),
         Display::Data { .. } => 0,
     })

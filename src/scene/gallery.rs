@@ -18,6 +18,11 @@ pub const GALLERY: &[(&str, &str)] = &[
     ),
     ("final", include_str!("../../examples/scenes/final.toml")),
     (
+        "courtyard",
+        include_str!("../../examples/scenes/courtyard.toml"),
+    ),
+    ("room", include_str!("../../examples/scenes/room.toml")),
+    (
         "caustic",
         include_str!("../../examples/scenes/caustic.toml"),
     ),

@@ -84,7 +84,7 @@ fn ch19_what_the_scene_asks() {
         assert_eq!(value(&format!("asks_{effect}")), 0.0, "{effect}");
     }
     // What is not there costs no ray and changes no bit.
-    for scene in ["cornell", "final", "caustic", "gloss", "veach", "mesh"] {
+    for scene in ["cornell", "room", "caustic", "gloss", "veach", "mesh"] {
         assert_eq!(value(&format!("differ_{scene}")), 0.0, "{scene}");
         assert_eq!(value(&format!("rays_all_{scene}")), 1.0, "{scene}");
     }
@@ -120,7 +120,7 @@ fn answer(arguments: &[&str]) -> String {
 fn the_page_shows_what_the_command_answers() {
     let page = include_str!("../../book/src/ch19-what-the-scene-asks.md");
     let point = "chapters/ch19_what_the_scene_asks/point.toml";
-    for scene in ["final", point] {
+    for scene in ["room", point] {
         let report = answer(&["effects", scene]);
         assert!(page.contains(&report), "{scene} is now\n{report}");
     }

@@ -123,6 +123,7 @@ fn json_is_all_there_is_on_stdout() {
             "faults",
             "largest_sample",
             "too_bright_pixels",
+            "clipped_pixels",
             "first_non_finite",
             "interrupted",
             "out",

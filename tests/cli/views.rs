@@ -158,7 +158,7 @@ fn a_scene_without_patches_is_refused_in_one_sentence() {
     // Radiosity also leaves out light of these scenes, which is of no interest then.
     for (scene, why) in [
         ("motion", "something moves"),
-        ("final", "is a sphere"),
+        ("room", "is a sphere"),
         ("mesh", "form factors"),
     ] {
         let sentence = refused(

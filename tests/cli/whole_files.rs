@@ -258,6 +258,10 @@ mod unix {
                 "strips/strip.png",
                 &["classify", "sky.toml", "--out", "strips"],
             ),
+            (
+                "strips/classes.png",
+                &["classify", "sky.toml", "--out", "strips"],
+            ),
             ("out/sky.variance.png", &["render", "sky.toml", "--maps"]),
             (
                 "out/cost/sky/rays.png",

@@ -128,7 +128,7 @@ fn effects_and_classify_measure_the_same_caustics_and_the_same_bleeding() {
     };
     let number =
         |value: &serde_json::Value| ["value", "error"].map(|part| value[part].as_f64().unwrap());
-    for scene in ["final", "spheres"] {
+    for scene in ["room", "spheres"] {
         let classified = json(&[
             "classify", scene, "--json", "--size", "40x40", "--spp", "64", "--seed", "77",
         ]);

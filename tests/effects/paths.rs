@@ -183,7 +183,7 @@ fn reasons_speak_of_aiming_only_where_something_can_aim() {
 #[test]
 fn one_render_sorts_the_light_into_the_pictures_of_each_class_alone() {
     for (name, sampler) in [
-        ("final", Sampler::Sobol),
+        ("room", Sampler::Sobol),
         ("caustic", Sampler::Sobol),
         ("gloss", Sampler::Independent),
     ] {

@@ -121,7 +121,7 @@ impl Glance {
             does: does & !edge_on,
             edge_on,
         }
-    }    // ANCHOR_END: look
+    } // ANCHOR_END: look
 }
 
 #[inline(always)]

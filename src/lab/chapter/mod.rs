@@ -4,12 +4,14 @@
 //! book and the gallery page are made from these files, so they cannot say anything else.
 
 mod bar;
+mod finale;
 mod interrupt;
 mod record;
 mod tell;
 mod whole;
 
 pub use bar::Bar;
+pub use finale::Finale;
 pub use interrupt::{interrupted_code, on_ctrl_c};
 pub use record::{Figure, Number, Record};
 pub use tell::{answer, tell};
@@ -30,6 +32,9 @@ use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 use std::time::Instant;
 
+/// The samples of pictures for print over those of others: a quarter of the error.
+const FINER: u32 = 16;
+
 /// What every chapter binary can be told.
 #[derive(Clone, Debug, Parser)]
 #[command(version, max_term_width = 100)]
@@ -46,6 +51,9 @@ pub struct Options {
     /// Fewer samples: for tests, and for a first look
     #[arg(long)]
     pub quick: bool,
+    /// Pictures for print: sixteen times the samples, and the last one twice as wide
+    #[arg(long, conflicts_with = "quick")]
+    pub fine: bool,
     /// Threads to render on; changes no result [default: one for each core]
     #[arg(long, allow_negative_numbers = true, value_parser = whole(1_u16..=1024))]
     pub threads: Option<u16>,
@@ -108,6 +116,8 @@ pub struct Desk {
     folder: PathBuf,
     record: Record,
     start: Instant,
+    /// Stops by which pictures are brightened.
+    stops: f64,
     /// Why a line could not be printed: the first time.
     unsaid: RefCell<Option<std::io::Error>>,
 }
@@ -173,6 +183,7 @@ impl Desk {
             options,
             folder,
             start: Instant::now(),
+            stops: 0.0,
             unsaid: RefCell::new(None),
         };
         desk.say(&format!("{}: {}", chapter.id, chapter.title));
@@ -187,6 +198,11 @@ impl Desk {
 
     /// Samples per pixel of a picture: the user's choice, or the chapter's.
     pub fn spp(&self, full: u32, quick: u32) -> u32 {
+        let full = if self.options.fine {
+            FINER * full
+        } else {
+            full
+        };
         self.options.spp.unwrap_or(self.choose(full, quick))
     }
 
@@ -245,6 +261,12 @@ impl Desk {
         Ok(())
     }
 
+    /// Shows the pictures that follow brighter by so many stops: each doubles the light. Their numbers stay as they
+    /// are, also in EXR files.
+    pub fn expose(&mut self, stops: f64) {
+        self.stops = stops;
+    }
+
     /// Writes a picture of `scene` as PNG and records it; with `--exr`, an EXR file stands beside it.
     pub fn picture(
         &mut self,
@@ -260,7 +282,7 @@ impl Desk {
             let path = self.folder.join(file).with_extension("exr");
             write(&path, film, Display::Radiance, &facts)?;
         }
-        let png = png_bytes(film, Display::Radiance, &facts)?;
+        let png = png_bytes(film, Display::Exposed { stops: self.stops }, &facts)?;
         self.figure(file, caption, png)
     }
 

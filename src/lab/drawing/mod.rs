@@ -1,16 +1,17 @@
 //! The drawing room: numbers and rays become SVG text, and charts PNG files as well.
 //!
-//! Five kinds of figure live here, and all of them work alike: fill in a plain struct, call `to_svg`, get
+//! Six kinds of figure live here, and all of them work alike: fill in a plain struct, call `to_svg`, get
 //! the text of a picture. Nothing touches a file, and the same struct always gives the same bytes.
 //!
 //! * [`CurveChart`] — measurements with error bars against closed forms, on linear or log axes;
 //! * [`BarChart`] — a few labelled values side by side;
 //! * [`HeatMap`] — a value for each pixel of a picture, as a colour;
+//! * [`Plates`] — pictures side by side, with their names;
 //! * [`RayDrawing`] — walls, lamps and rays of the flat world, true to scale;
 //! * [`TreeDrawing`] — the tree of reflected and transmitted rays below one camera ray.
 //!
-//! The first three have axes: [`plotters`] draws them, with its own coordinates, mesh, labels and legend
-//! (`plot`). The others have none: a small writer of SVG draws them (`svg`). Figures are drawn at the
+//! [`plotters`] draws all but the last two, with its own coordinates, mesh, labels and legend
+//! (`plot`). The last two have no axes: a small writer of SVG draws them (`svg`). Figures are drawn at the
 //! width at which they are shown ([`FULL`], or [`HALF`] beside another), with letters of at least 11
 //! pixels, on paper of their own, which is dark where the page is.
 
@@ -19,6 +20,7 @@ mod curves;
 mod font;
 mod heat;
 mod palette;
+mod plates;
 mod plot;
 mod rays;
 mod scale;
@@ -29,6 +31,7 @@ mod tree;
 pub use bars::{Bar, BarChart, BarGroup};
 pub use curves::{Curve, CurveChart, Point, Style};
 pub use heat::HeatMap;
+pub use plates::{Plate, Plates};
 pub use rays::{Arc, Bounds, Circle, Dot, Label, RayDrawing, Stroke, StrokeKind};
 pub use scale::Axis;
 pub use tree::{EdgeKind, TreeDrawing, TreeNode};
