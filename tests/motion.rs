@@ -386,7 +386,7 @@ fn the_gallery_has_scenes_with_a_lens_and_in_motion() {
         assert_eq!(scene.moves(), ["motion", "six"].contains(name), "{name}");
         assert_eq!(
             scene.camera.lens().is_some(),
-            ["lens", "six"].contains(name)
+            ["lens", "six", "final"].contains(name)
         );
     }
     assert!(File::new("examples/scenes/motion.toml").exists());

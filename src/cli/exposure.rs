@@ -1,6 +1,6 @@
 //! How bright a picture is shown.
 
-use super::Stop;
+use super::{Stop, picture};
 use crate::integrators::{Entry, Shows};
 use crate::output::{Display, Format};
 use crate::render::Film;
@@ -41,14 +41,9 @@ impl Exposure {
 
     /// How the picture is shown.
     pub(super) fn display(&self, integrator: Entry, film: &Film) -> Display {
-        match integrator.shows {
-            Shows::Light(_) => match self.exposure {
-                Some(stops) => Display::Exposed { stops },
-                None => Display::Radiance,
-            },
-            Shows::Geometry { white } => Display::Data {
-                white: white.unwrap_or_else(|| film.max()),
-            },
+        match (self.exposure, integrator.shows) {
+            (Some(stops), Shows::Light(_)) => Display::Exposed { stops },
+            _ => picture::display(integrator, film),
         }
     }
 

@@ -46,8 +46,10 @@ pub struct LightSamples<S: Simd> {
     pub wi: Vector<S>,
     /// Their densities in 1/sr.
     pub pdf: Floats<S>,
-    /// Radiance in W/(m² sr).
+    /// Radiance in W/(m² sr); of lights without extent the irradiance of what faces them.
     pub li: Vector<S>,
+    /// Lanes whose light has no extent: no ray finds it by chance.
+    pub delta: Mask<S>,
     /// Rays that end just before the light.
     pub shadow_rays: Rays<S>,
 }
@@ -62,6 +64,7 @@ impl<S: Simd> LightSamples<S> {
             wi: zero,
             pdf: zero.x,
             li: zero,
+            delta: mask(s, 0),
             shadow_rays: Rays {
                 origin: zero,
                 direction: zero,
@@ -134,6 +137,7 @@ impl QuadInLanes {
             wi,
             pdf,
             li: Vector::splat(s, self.radiance.channels()),
+            delta: mask(s, 0),
             shadow_rays: Rays {
                 origin,
                 direction,

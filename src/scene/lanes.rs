@@ -33,14 +33,12 @@ pub struct PlainHit {
 
 impl<'s> SceneInLanes<'s> {
     /// `None` where paths had better be traced one by one: where something moves, is an instance of a mesh or lies
-    /// within rounding of a light, where a light has no extent, where nothing is diffuse and of one colour, and where
-    /// nothing shines.
+    /// within rounding of a light, where nothing is diffuse and of one colour, and where nothing shines.
     pub fn new(scene: &'s Scene) -> Option<Self> {
         let still = scene.transformed.is_none() && scene.contacts.is_none();
-        let extended = !scene.lights.iter().any(Light::is_delta);
         let is_diffuse = |object: &Object| diffuse_albedo(object).is_some();
         let lit = !scene.is_dark() && scene.objects.iter().any(is_diffuse);
-        (still && extended && lit).then_some(())?;
+        (still && lit).then_some(())?;
         let mut albedo = [[0.0; MOST_SHAPES]; 3];
         for (at, object) in scene.object_of_shape.iter().take(MOST_SHAPES).enumerate() {
             let own = diffuse_albedo(&scene.objects[*object as usize]).unwrap_or_default();

@@ -148,7 +148,8 @@ impl<'s, S: Simd> Walk<'_, 's, S> {
         // `Heuristic::Power`.
         let ratio = cos * FRAC_1_PI / sample.pdf;
         let weight = floats(s, 1.0) / (floats(s, 1.0) + ratio * ratio);
-        let li = sample.li * (weight / sample.pdf);
+        let share = sample.delta.select(floats(s, 1.0), weight / sample.pdf);
+        let li = sample.li * share;
         let scattered = self.paths.beta.get(s).times((f * cos).times(li));
         let sum = self.paths.li.get(s) + scattered;
         self.paths.li.set_where(s, mask(s, visible), sum);
@@ -165,7 +166,7 @@ impl<'s, S: Simd> Walk<'_, 's, S> {
         at: &Vertices<S>,
     ) {
         let (s, n) = (self.s, Row3::from(at.from.n));
-        let mut some = bits(sample.some) & !lanes;
+        let (mut some, mut delta) = (bits(sample.some) & !lanes, 0);
         let (mut wi, mut pdf) = (Row3::from(sample.wi), Row::from(sample.pdf));
         let mut li = Row3::from(sample.li);
         let rays = &mut sample.shadow_rays;
@@ -182,22 +183,25 @@ impl<'s, S: Simd> Walk<'_, 's, S> {
             let Some((_, plain)) = tracer.chosen_light_sample(&from, pick, u) else {
                 continue;
             };
-            let Incident::Radiance {
-                li: own,
-                pdf: density,
-            } = plain.incident
-            else {
-                continue;
+            let own = match plain.incident {
+                Incident::Radiance { li, pdf: density } => {
+                    pdf.0[lane] = density;
+                    li
+                }
+                Incident::Irradiance(e) => {
+                    delta |= 1 << lane;
+                    e
+                }
             };
             some |= 1 << lane;
             wi.set_lane(lane, plain.wi);
-            pdf.0[lane] = density;
             li.set_lane(lane, own.channels());
             origin.set_lane(lane, plain.shadow_ray.origin);
             direction.set_lane(lane, plain.shadow_ray.direction);
-            t_max.0[lane] = plain.shadow_ray.t_max;
+            t_max.0[lane] = plain.shadow_ray.t_max.min(f32::MAX);
         }
         sample.some = mask(s, some);
+        sample.delta = mask(s, delta);
         sample.wi = wi.get(s);
         sample.pdf = pdf.get(s);
         sample.li = li.get(s);
