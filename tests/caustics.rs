@@ -136,8 +136,8 @@ fn walks_from_the_lights_bring_the_caustics_that_walks_from_the_eye_find() {
     let mut noticed = Vec::new();
     for (name, scene) in scenes() {
         let max_depth = scene.suggested.max_depth;
-        let ours = of(&scene, Path::new(max_depth), TRACED, 512, 1);
-        let theirs = of(&scene, Path::from_eye(max_depth), TRACED, 1024, 2);
+        let ours = of(&scene, Path::new(max_depth), TRACED, 1024, 1);
+        let theirs = of(&scene, Path::from_eye(max_depth), TRACED, 2048, 2);
         assert!(!ours.is_black(), "{name}");
         alike(name, ours.mean(), theirs.mean(), 0.6);
         noticed.push(between(ours.mean(), theirs.mean()).1);

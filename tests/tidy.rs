@@ -90,7 +90,11 @@ fn floor_of(module: &str) -> Option<usize> {
 /// Each use of a higher floor, as `file uses module`.
 fn climbs(sources: &BTreeMap<String, String>) -> Vec<String> {
     let mut found = Vec::new();
-    for (file, text) in sources {
+    // Tests in a file of their own may use all floors, as those within a file may.
+    let code = sources
+        .iter()
+        .filter(|(file, _)| !file.ends_with("/tests.rs"));
+    for (file, text) in code {
         let mut steps = file.split(['/', '.']);
         let module = match (steps.next().unwrap(), steps.next()) {
             ("lib" | "main", _) | ("lab", Some("mod")) => continue,
