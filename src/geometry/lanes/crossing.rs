@@ -1,4 +1,4 @@
-//! Quads, and sixteen rays at once, of which each crosses one: `Quad::intersect` and `Quad::surface`, bit for bit.
+//! Sixteen rays, each with a quad of its own: `Quad::intersect` and `Quad::surface`, bit for bit.
 
 use super::{Column, MOST_SHAPES, Rays, gather, gather_vector};
 use crate::geometry::Quad;

@@ -54,7 +54,7 @@ pub struct Rays<S: Simd> {
 pub struct FirstHits<S: Simd> {
     /// Lanes that meet something, certainly.
     pub hit: Mask<S>,
-    /// Lanes of which it is not certain what they meet, or whether.
+    /// Lanes in doubt: rounding may decide what they meet, or whether they meet anything.
     pub doubt: Mask<S>,
     /// The distance.
     pub t: Floats<S>,
@@ -72,14 +72,14 @@ pub struct FirstHits<S: Simd> {
     pub n: Vector<S>,
 }
 
-/// The nearest so far, of which it is certain.
+/// The nearest hit so far that is certain.
 #[derive(Clone, Copy)]
 struct Nearest<S: Simd> {
     t: Floats<S>,
     /// Bound on the error of `t`.
     slack: Floats<S>,
     id: Words<S>,
-    /// The nearest that anything may be of which it is not.
+    /// The least distance of any hit that is not certain.
     doubt: Floats<S>,
 }
 
@@ -191,7 +191,7 @@ impl FewShapes {
         first
     }
 
-    /// Lanes in whose way something stands, certainly, and lanes of which it is not certain.
+    /// Lanes that are certainly blocked, and lanes in doubt.
     ///
     /// * `target`: the flat shape just before which the rays end; [`NO_SHAPE`] for none.
     #[inline(always)]

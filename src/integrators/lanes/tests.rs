@@ -2,35 +2,13 @@
 
 use super::*;
 use crate::geometry::Ray;
-use crate::integrators::Integrator;
+use crate::integrators::{Integrator, Passes};
 use crate::numeric::lanes::levels;
 use crate::render::{Options, Rendered, render};
 use crate::scene::gallery;
 
-/// The path tracer without lanes.
-struct Plain(Path);
-
-impl Integrator for Plain {
-    fn li(&self, tracer: &mut Tracer, ray: &Ray, stream: &Stream) -> Rgb {
-        self.0.li(tracer, ray, stream)
-    }
-
-    fn passes(&self, scene: &Scene) -> Option<&dyn crate::integrators::Passes> {
-        Integrator::passes(&self.0, scene).map(|_| self as &dyn crate::integrators::Passes)
-    }
-}
-
-impl crate::integrators::Passes for Plain {
-    fn prepare<'a>(
-        &'a self,
-        pass: &crate::integrators::Pass<'a>,
-    ) -> Option<crate::integrators::Prepared<'a>> {
-        crate::integrators::Passes::prepare(&self.0, pass)
-    }
-}
-
-/// The path tracer in lanes by some of the processor's instructions.
-struct By(Path, Level);
+/// The path tracer by some of the processor's instructions; one path at a time without any.
+struct By(Path, Option<Level>);
 
 impl Integrator for By {
     fn li(&self, tracer: &mut Tracer, ray: &Ray, stream: &Stream) -> Rgb {
@@ -38,20 +16,12 @@ impl Integrator for By {
     }
 
     fn in_lanes<'s>(&self, scene: &'s Scene) -> Option<PathInLanes<'s>> {
-        Some(PathInLanes::new(&self.0, scene)?.by(self.1))
+        let level = self.1?;
+        PathInLanes::new(&self.0, scene).map(|lanes| lanes.by(level))
     }
 
-    fn passes(&self, scene: &Scene) -> Option<&dyn crate::integrators::Passes> {
-        Integrator::passes(&self.0, scene).map(|_| self as &dyn crate::integrators::Passes)
-    }
-}
-
-impl crate::integrators::Passes for By {
-    fn prepare<'a>(
-        &'a self,
-        pass: &crate::integrators::Pass<'a>,
-    ) -> Option<crate::integrators::Prepared<'a>> {
-        crate::integrators::Passes::prepare(&self.0, pass)
+    fn passes(&self, scene: &Scene) -> Option<&dyn Passes> {
+        self.0.passes(scene)
     }
 }
 
@@ -73,11 +43,11 @@ fn every_scene_is_the_same_picture_in_lanes_by_all_instructions() {
                 sampler,
                 ..Options::default()
             };
-            let plain = render(&scene, &Plain(path), &options, &());
+            let plain = render(&scene, &By(path, None), &options, &());
             in_lanes += usize::from(PathInLanes::new(&path, &scene).is_some());
             for (level, tile) in levels().into_iter().zip([32, 5, 16, 7]) {
                 let options = Options { tile, ..options };
-                let lanes = render(&scene, &By(path, level), &options, &());
+                let lanes = render(&scene, &By(path, Some(level)), &options, &());
                 assert_same(&lanes, &plain, &format!("{name} {sampler:?} {level:?}"));
             }
         }
@@ -104,7 +74,7 @@ fn few_samples_depths_and_threads_change_no_bit() {
             sampler: Sampler::Sobol,
             ..Options::default()
         };
-        let plain = render(&scene, &Plain(path), &options, &());
+        let plain = render(&scene, &By(path, None), &options, &());
         for threads in [1, 3] {
             let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build();
             let lanes = pool
