@@ -75,6 +75,7 @@ struct Made {
     time: Duration,
     #[serde(getter = "rays_per_second")]
     rays_per_second: f64,
+    lanes: Option<&'static str>,
     #[serde(getter = "mean")]
     mean: Measurement,
     non_finite: u64,
@@ -214,9 +215,12 @@ impl Display for Report<'_> {
             shadow,
         } = self.made.rays;
         let speed = rays_per_second(self.made) / 1e6;
+        let lanes = self.made.lanes.map_or_else(String::new, |by| {
+            format!(", sixteen paths at a time by {by}")
+        });
         writeln!(
             f,
-            "rays: {camera} camera, {secondary} secondary, {shadow} shadow; {speed:.2} million per second"
+            "rays: {camera} camera, {secondary} secondary, {shadow} shadow; {speed:.2} million per second{lanes}"
         )?;
         if let Some(paths) = self.facts.light_paths {
             let each = count(paths as usize, "path", "paths");

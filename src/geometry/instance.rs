@@ -180,6 +180,10 @@ impl Instance {
 }
 
 impl Primitive for Instance {
+    fn surface(&self, ray: &Ray, intersection: Intersection) -> Surface {
+        Instance::surface(self, ray, intersection)
+    }
+
     fn bounds(&self) -> Aabb {
         self.bounds
     }

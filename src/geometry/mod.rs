@@ -174,7 +174,7 @@ impl Shape {
 }
 
 /// What a [`Bvh`] can hold: a shape, or one that moves.
-pub trait Primitive: Clone {
+pub trait Primitive: Clone + Send + Sync {
     /// A box that holds it at all times.
     fn bounds(&self) -> Aabb;
 
@@ -186,6 +186,9 @@ pub trait Primitive: Clone {
     fn intersect_from(&self, ray: &PreparedRay, t_max: f32, _entry: f32) -> Option<Intersection> {
         self.intersect(ray, t_max)
     }
+
+    /// The surface at an intersection with this ray.
+    fn surface(&self, ray: &Ray, intersection: Intersection) -> Surface;
 
     /// The triangle it is at all times; of these the tree looks at eight at once.
     fn still_triangle(&self) -> Option<Triangle> {
@@ -200,6 +203,10 @@ impl Primitive for Shape {
 
     fn intersect(&self, ray: &PreparedRay, t_max: f32) -> Option<Intersection> {
         Shape::intersect(self, ray, t_max)
+    }
+
+    fn surface(&self, ray: &Ray, intersection: Intersection) -> Surface {
+        Shape::surface(self, ray, intersection)
     }
 
     #[inline(always)]

@@ -55,6 +55,10 @@ impl Moving {
 }
 
 impl Primitive for Moving {
+    fn surface(&self, ray: &Ray, intersection: Intersection) -> Surface {
+        Moving::surface(self, ray, intersection)
+    }
+
     fn bounds(&self) -> Aabb {
         Moving::bounds(self)
     }

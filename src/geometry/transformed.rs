@@ -11,16 +11,6 @@ pub enum Transformed {
     Instance(Instance),
 }
 
-impl Transformed {
-    /// The surface at an intersection with this ray.
-    pub fn surface(&self, ray: &Ray, intersection: Intersection) -> Surface {
-        match self {
-            Transformed::Moving(shape) => shape.surface(ray, intersection),
-            Transformed::Instance(shape) => shape.surface(ray, intersection),
-        }
-    }
-}
-
 impl Primitive for Transformed {
     fn bounds(&self) -> Aabb {
         match self {
@@ -33,6 +23,13 @@ impl Primitive for Transformed {
         match self {
             Transformed::Moving(shape) => shape.intersect(ray, t_max),
             Transformed::Instance(shape) => shape.intersect(ray, t_max),
+        }
+    }
+
+    fn surface(&self, ray: &Ray, intersection: Intersection) -> Surface {
+        match self {
+            Transformed::Moving(shape) => shape.surface(ray, intersection),
+            Transformed::Instance(shape) => shape.surface(ray, intersection),
         }
     }
 }

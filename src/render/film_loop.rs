@@ -300,6 +300,7 @@ impl<'a, R: Recorder + ?Sized> Session<'a, R> {
             rays: self.rays(),
             pass_rays: self.prepared.rays,
             rays_before: self.rays_before,
+            lanes: self.lanes.as_ref().map(PathInLanes::level_name),
             time: self.time,
             non_finite: watch.faults.non_finite(),
             faults: watch.faults,

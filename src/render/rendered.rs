@@ -17,6 +17,8 @@ pub struct Rendered {
     /// Those of them that were traced before the render went on from a state: see
     /// [`Session::resume`](super::Session::resume).
     pub rays_before: RayCounts,
+    /// The processor's instructions by which paths were taken sixteen at a time; `None` for one at a time.
+    pub lanes: Option<&'static str>,
     /// Time spent in the pixel loop since then; zero where there is no clock.
     pub time: Duration,
     /// Samples that came out as NaN or infinity. They are in no mean, and never painted over.

@@ -26,7 +26,7 @@ impl Scene {
             .shapes()
             .map(|(number, shape)| Facet {
                 number,
-                shape: *shape,
+                shape,
                 object: &self.objects[self.object_of_shape[number as usize] as usize],
             })
             .collect();

@@ -3,12 +3,13 @@
 use super::interaction::{Hit, Interaction};
 use super::{Object, Scene};
 use crate::geometry::lanes::{Column, FewShapes, MOST_SHAPES};
-use crate::geometry::{Intersection, Ray, Surface};
+use crate::geometry::{ClosestHit, Intersection, Ray, Surface};
 use crate::lights::Light;
 use crate::lights::lanes::QuadInLanes;
 use crate::materials::Bsdf;
 
-/// What of a scene is looked at in lanes: its shapes, where they are few, and its light, where that is one quad.
+/// What of a scene is looked at in lanes: its quads and spheres, where they are few, and its light, where that is one
+/// quad.
 ///
 /// All else goes lane by lane through the same code as a single path.
 #[derive(Clone, Debug)]
@@ -31,6 +32,16 @@ pub struct PlainHit {
     pub shape: u32,
 }
 
+impl PlainHit {
+    fn new(ray: &Ray, found: &ClosestHit) -> Self {
+        PlainHit {
+            intersection: found.intersection,
+            surface: found.surface(ray),
+            shape: found.id,
+        }
+    }
+}
+
 impl<'s> SceneInLanes<'s> {
     /// `None` where paths had better be traced one by one: where something moves, is an instance of a mesh or lies
     /// within rounding of a light, where nothing is diffuse and of one colour, and where nothing shines.
@@ -39,16 +50,18 @@ impl<'s> SceneInLanes<'s> {
         let is_diffuse = |object: &Object| diffuse_albedo(object).is_some();
         let lit = !scene.is_dark() && scene.objects.iter().any(is_diffuse);
         (still && lit).then_some(())?;
+        let shapes = FewShapes::new(scene.bvh.shapes());
         let mut albedo = [[0.0; MOST_SHAPES]; 3];
-        for (at, object) in scene.object_of_shape.iter().take(MOST_SHAPES).enumerate() {
-            let own = diffuse_albedo(&scene.objects[*object as usize]).unwrap_or_default();
+        for (slot, id) in shapes.iter().flat_map(FewShapes::ids).enumerate() {
+            let object = scene.object_of_shape[*id as usize];
+            let own = diffuse_albedo(&scene.objects[object as usize]).unwrap_or_default();
             for (column, channel) in albedo.iter_mut().zip(own) {
-                column[at] = channel;
+                column[slot] = channel;
             }
         }
         Some(SceneInLanes {
             scene,
-            shapes: FewShapes::new(scene.bvh.shapes()),
+            shapes,
             albedo,
             light: only_quad(scene),
             black_beyond: scene.environment_light.is_none() && scene.background.is_black(),
@@ -60,12 +73,12 @@ impl<'s> SceneInLanes<'s> {
         self.scene
     }
 
-    /// Its shapes, where they are few.
+    /// Its quads and spheres, where they are few.
     pub fn shapes(&self) -> Option<&FewShapes> {
         self.shapes.as_ref()
     }
 
-    /// The albedo of each of few shapes that is diffuse and of one colour; black for others.
+    /// The albedo of each of the few shapes that is diffuse and of one colour; black for others.
     pub fn albedo(&self) -> &[Column; 3] {
         &self.albedo
     }
@@ -87,16 +100,24 @@ impl<'s> SceneInLanes<'s> {
 
     /// What a single ray hits first.
     pub fn first_hit(&self, ray: &Ray) -> Option<PlainHit> {
-        self.scene.bvh.first_hit(ray).map(|found| PlainHit {
-            intersection: found.intersection,
-            surface: found.shape.surface(ray, found.intersection),
-            shape: found.id,
-        })
+        let found = self.scene.bvh.first_hit(ray)?;
+        Some(PlainHit::new(ray, &found))
+    }
+
+    /// The triangle that a single ray hits first.
+    pub fn first_triangle(&self, ray: &Ray) -> Option<PlainHit> {
+        let found = self.scene.bvh.first_triangle(ray)?;
+        Some(PlainHit::new(ray, &found))
     }
 
     /// True where something stands in the way of a single ray.
     pub fn occluded(&self, ray: &Ray) -> bool {
         self.scene.bvh.occluded(ray)
+    }
+
+    /// True where a triangle does.
+    pub fn occluded_by_triangles(&self, ray: &Ray) -> bool {
+        self.scene.bvh.occluded_by_triangles(ray)
     }
 
     /// All that there is to know of a hit.

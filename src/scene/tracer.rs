@@ -308,7 +308,7 @@ impl Scene {
                 let number = transformed.moving.len().min(found.id as usize) as u32;
                 return Some(Hit {
                     intersection: found.intersection,
-                    surface: found.shape.surface(ray, found.intersection),
+                    surface: found.surface(ray),
                     object,
                     shape: self.object_of_shape.len() as u32 + number + found.intersection.part,
                 });
@@ -338,7 +338,7 @@ impl Scene {
     fn hit(&self, ray: &Ray, found: &ClosestHit) -> Hit {
         Hit {
             intersection: found.intersection,
-            surface: found.shape.surface(ray, found.intersection),
+            surface: found.surface(ray),
             object: self.object_of_shape[found.id as usize],
             shape: found.id,
         }

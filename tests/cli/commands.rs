@@ -115,6 +115,7 @@ fn json_is_all_there_is_on_stdout() {
             "seconds",
             "rays",
             "rays_per_second",
+            "lanes",
             "mean",
             "notes",
             "hidden_lamps",

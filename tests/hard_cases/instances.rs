@@ -56,10 +56,7 @@ fn an_instance_is_met_where_copies_of_its_triangles_are() {
             match (a, b) {
                 (Some(a), Some(b)) if a.intersection.part == b.id => {
                     hits += 1;
-                    let [p, q] = [
-                        a.shape.surface(&ray, a.intersection),
-                        b.shape.surface(&ray, b.intersection),
-                    ];
+                    let [p, q] = [a.surface(&ray), b.surface(&ray)];
                     let off = (p.p - q.p).abs();
                     assert!(off.cmple(Vec3::splat(size * 1e-4)).all(), "{off} of {size}");
                     turned += usize::from(p.n.dot(q.n) < 0.999);

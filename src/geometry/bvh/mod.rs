@@ -4,9 +4,9 @@ mod build;
 mod node;
 mod packet;
 
-use super::{Aabb, Intersection, PreparedRay, Primitive, Ray, Shape};
+use super::{Aabb, Intersection, PreparedRay, Primitive, Ray, Shape, Surface, Triangle};
 use arrayvec::ArrayVec;
-use build::{MAX_DEPTH, build};
+use build::{Held, MAX_DEPTH, Tree, build};
 use fearless_simd::{Level, Simd, dispatch};
 use node::{Child, Link, Node, RayLanes, WIDTH};
 use packet::Packet;
@@ -19,19 +19,14 @@ const STACK_SIZE: usize = MAX_DEPTH * (WIDTH - 1) + 1;
 /// Built by the binned surface area heuristic (Wald, On Fast Construction of SAH-based Bounding
 /// Volume Hierarchies, Symposium on Interactive Ray Tracing 2007), wide for the sake of vector
 /// instructions (Wald, Benthin, Boulos, Getting Rid of Packets, Symposium on Interactive Ray
-/// Tracing 2008). Every shape has a box of its own in some node, so that few are tested which the
-/// ray does not cross. Shapes whose box is not finite cannot be hit and are left out.
+/// Tracing 2008). Triangles are kept eight by eight, in some 50 bytes each; every other shape has a
+/// box of its own in some node, so that few are tested which the ray does not cross. Shapes whose box
+/// is not finite cannot be hit and are left out.
 ///
 /// A tree over [`Moving`](super::Moving) shapes is the same code.
 #[derive(Clone, Debug)]
 pub struct Bvh<P = Shape> {
-    /// The root first; empty for no shapes.
-    nodes: Vec<Node>,
-    packets: Vec<Packet>,
-    /// In the order of the tree.
-    shapes: Vec<P>,
-    /// For each of `shapes`, its index in the list the tree was built from.
-    ids: Vec<u32>,
+    tree: Tree<P>,
     /// The processor's instructions for eight boxes at once.
     level: Level,
 }
@@ -43,8 +38,37 @@ pub struct ClosestHit<'a, P = Shape> {
     pub intersection: Intersection,
     /// The index of the shape in the list the tree was built from.
     pub id: u32,
-    /// The shape.
-    pub shape: &'a P,
+    shape: Met<'a, P>,
+}
+
+/// A shape of a tree.
+#[derive(Clone, Copy, Debug)]
+enum Met<'a, P> {
+    Shape(&'a P),
+    Triangle(Triangle),
+}
+
+impl<P: Primitive> ClosestHit<'_, P> {
+    /// The surface there.
+    ///
+    /// * `ray`: the one that met it.
+    pub fn surface(&self, ray: &Ray) -> Surface {
+        match &self.shape {
+            Met::Shape(shape) => shape.surface(ray, self.intersection),
+            Met::Triangle(triangle) => Surface {
+                time: ray.time,
+                ..triangle.surface(self.intersection)
+            },
+        }
+    }
+}
+
+/// Where in the tree a shape is.
+#[derive(Clone, Copy)]
+enum Place {
+    Shape(usize),
+    /// A packet, and the lane of a triangle in it.
+    Packet(usize, usize),
 }
 
 /// What waits to be visited, with the distance of its box in the upper half: the order of these
@@ -71,106 +95,85 @@ impl StackEntry {
 
 impl<P: Primitive> Bvh<P> {
     /// The tree over `shapes`; the index of each in this list is its id.
+    ///
+    /// Large trees are built by all threads, and are the same for any number of them.
     pub fn new(shapes: &[P]) -> Self {
-        let tree = build(shapes);
-        let ids = tree.ids();
         Bvh {
-            nodes: tree.nodes,
-            packets: tree.packets,
-            shapes: ids.iter().map(|id| shapes[*id as usize].clone()).collect(),
-            ids,
+            tree: build(shapes),
             level: Level::new(),
         }
     }
 
     /// The box of all shapes, wherever they are while the shutter is open.
     pub fn bounds(&self) -> Aabb {
-        let boxes = self.shapes.iter().map(Primitive::bounds);
-        boxes.fold(Aabb::EMPTY, Aabb::union)
-    }
-
-    /// The shapes, each with its index in the list the tree was built from, in no particular order.
-    pub fn shapes(&self) -> impl Iterator<Item = (u32, &P)> {
-        self.ids.iter().copied().zip(&self.shapes)
+        self.tree.nodes.first().map_or(Aabb::EMPTY, Node::bounds)
     }
 
     /// The first crossing of the ray, at its moment; of several shapes at the same distance the one
     /// with the lowest id, whatever the order of the tree.
     pub fn first_hit(&self, ray: &Ray) -> Option<ClosestHit<'_, P>> {
-        dispatch!(self.level, s => self.find_first(s, ray))
+        dispatch!(self.level, s => self.find_first::<_, false>(s, ray))
     }
 
-    #[inline(always)]
-    fn find_first<S: Simd>(&self, s: S, ray: &Ray) -> Option<ClosestHit<'_, P>> {
-        let mut best: Option<(Intersection, usize)> = None;
-        self.visit(s, ray, |at, intersection| {
-            if best.is_none_or(|(b, i)| intersection.t < b.t || self.ids[at] < self.ids[i]) {
-                best = Some((intersection, at));
-            }
-            false
-        });
-        best.map(|(intersection, at)| ClosestHit {
-            intersection,
-            id: self.ids[at],
-            shape: &self.shapes[at],
-        })
+    /// The same among the shapes that are triangles at all times: [`Primitive::still_triangle`].
+    pub fn first_triangle(&self, ray: &Ray) -> Option<ClosestHit<'_, P>> {
+        dispatch!(self.level, s => self.find_first::<_, true>(s, ray))
     }
 
     /// True where the ray crosses anything at all, at its moment.
     pub fn occluded(&self, ray: &Ray) -> bool {
-        dispatch!(self.level, s => self.find_any(s, ray))
+        dispatch!(self.level, s => self.find_any::<_, false>(s, ray))
     }
 
-    #[inline(always)]
-    fn find_any<S: Simd>(&self, s: S, ray: &Ray) -> bool {
-        let mut hit = false;
-        self.visit(s, ray, |_, _| {
-            hit = true;
-            true
-        });
-        hit
+    /// The same of the shapes that are triangles at all times.
+    pub fn occluded_by_triangles(&self, ray: &Ray) -> bool {
+        dispatch!(self.level, s => self.find_any::<_, true>(s, ray))
     }
 
-    /// Calls `meet` with every crossing that may be the first, and the place of its shape, nearest
-    /// boxes first, until it answers true.
+    /// Visits the nearest boxes first, and none beyond what was met.
     #[inline(always)]
-    fn visit<S: Simd>(&self, s: S, ray: &Ray, mut meet: impl FnMut(usize, Intersection) -> bool) {
-        if self.nodes.is_empty() || !ray.is_valid() {
-            return;
+    fn find_first<S: Simd, const TRIANGLES: bool>(
+        &self,
+        s: S,
+        ray: &Ray,
+    ) -> Option<ClosestHit<'_, P>> {
+        let tree = &self.tree;
+        if tree.nodes.is_empty() || !ray.is_valid() {
+            return None;
         }
         let prepared = PreparedRay::from(ray);
         let lanes_of_ray = RayLanes::new(s, &prepared);
         let mut t_max = ray.reach();
+        let mut best: Option<(Intersection, u32, Place)> = None;
+        let mut meet = |met: Intersection, id: u32, place: Place| {
+            if best.is_none_or(|(before, i, _)| met.t < before.t || id < i) {
+                best = Some((met, id, place));
+            }
+            met.t
+        };
         let mut stack = ArrayVec::<StackEntry, STACK_SIZE>::new();
         let mut next = StackEntry::new(0.0, Child::Node(0).into());
         loop {
             if next.entry() <= t_max {
                 match next.link().child() {
                     Child::Shape(at) => {
-                        if let Some(intersection) =
-                            self.shapes[at].intersect_from(&prepared, t_max, next.entry())
+                        let Held { id, shape } = &tree.shapes[at];
+                        if !TRIANGLES
+                            && let Some(met) = shape.intersect_from(&prepared, t_max, next.entry())
                         {
-                            t_max = intersection.t;
-                            if meet(at, intersection) {
-                                return;
-                            }
+                            t_max = meet(met, *id, Place::Shape(at));
                         }
                     }
                     Child::Packet(at) => {
-                        let packet = &self.packets[at];
+                        let packet = &tree.packets[at];
                         for lane in lanes(packet.candidates(s, &prepared)) {
-                            if let Some(intersection) =
-                                packet.triangle(lane).intersect(&prepared, t_max)
-                            {
-                                t_max = intersection.t;
-                                if meet(packet.first as usize + lane, intersection) {
-                                    return;
-                                }
+                            if let Some(met) = packet.triangle(lane).intersect(&prepared, t_max) {
+                                t_max = meet(met, packet.ids[lane], Place::Packet(at, lane));
                             }
                         }
                     }
                     Child::Node(at) => {
-                        let node = &self.nodes[at];
+                        let node = &tree.nodes[at];
                         let (entries, met) = node.entries(s, &lanes_of_ray, t_max);
                         let base = stack.len();
                         for lane in lanes(met) {
@@ -186,9 +189,74 @@ impl<P: Primitive> Bvh<P> {
             }
             match stack.pop() {
                 Some(waiting) => next = waiting,
-                None => return,
+                None => break,
             }
         }
+        best.map(|(intersection, id, place)| ClosestHit {
+            intersection,
+            id,
+            shape: match place {
+                Place::Shape(at) => Met::Shape(&tree.shapes[at].shape),
+                Place::Packet(at, lane) => Met::Triangle(tree.packets[at].triangle(lane)),
+            },
+        })
+    }
+
+    /// Visits boxes in no particular order, for anything will do.
+    #[inline(always)]
+    fn find_any<S: Simd, const TRIANGLES: bool>(&self, s: S, ray: &Ray) -> bool {
+        let tree = &self.tree;
+        if tree.nodes.is_empty() || !ray.is_valid() {
+            return false;
+        }
+        let prepared = PreparedRay::from(ray);
+        let lanes_of_ray = RayLanes::new(s, &prepared);
+        let t_max = ray.reach();
+        let mut stack = ArrayVec::<StackEntry, STACK_SIZE>::new();
+        let mut next = StackEntry::new(0.0, Child::Node(0).into());
+        loop {
+            let met = match next.link().child() {
+                Child::Shape(at) => {
+                    let shape = &tree.shapes[at].shape;
+                    !TRIANGLES
+                        && shape
+                            .intersect_from(&prepared, t_max, next.entry())
+                            .is_some()
+                }
+                Child::Packet(at) => {
+                    let packet = &tree.packets[at];
+                    let mut met = false;
+                    for lane in lanes(packet.candidates(s, &prepared)) {
+                        met |= packet.triangle(lane).intersect(&prepared, t_max).is_some();
+                    }
+                    met
+                }
+                Child::Node(at) => {
+                    let node = &tree.nodes[at];
+                    let (entries, met) = node.entries(s, &lanes_of_ray, t_max);
+                    for lane in lanes(met) {
+                        stack.push(StackEntry::new(entries[lane], node.links[lane]));
+                    }
+                    false
+                }
+            };
+            if met {
+                return true;
+            }
+            match stack.pop() {
+                Some(waiting) => next = waiting,
+                None => return false,
+            }
+        }
+    }
+}
+
+impl Bvh {
+    /// The shapes, each with its index in the list the tree was built from, in no particular order.
+    pub fn shapes(&self) -> impl Iterator<Item = (u32, Shape)> {
+        let shapes = self.tree.shapes.iter().map(|held| (held.id, held.shape));
+        let triangles = self.tree.packets.iter().flat_map(Packet::triangles);
+        shapes.chain(triangles.map(|(id, triangle)| (id, Shape::Triangle(triangle))))
     }
 }
 

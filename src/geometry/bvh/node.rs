@@ -4,6 +4,7 @@ use crate::geometry::aabb::EARLIER;
 use crate::geometry::{Aabb, PreparedRay};
 use fearless_simd::f32x8;
 use fearless_simd::prelude::*;
+use glam::Vec3;
 
 /// Children of a node.
 pub(super) const WIDTH: usize = 8;
@@ -38,6 +39,23 @@ impl Link {
             Child::Node(index)
         }
     }
+
+    /// The same child, after this many others of its kind.
+    pub(super) fn after(self, before: Counts) -> Self {
+        Link::from(match self.child() {
+            Child::Node(index) => Child::Node(index + before.nodes),
+            Child::Shape(index) => Child::Shape(index + before.shapes),
+            Child::Packet(index) => Child::Packet(index + before.packets),
+        })
+    }
+}
+
+/// How many children there are of each kind.
+#[derive(Clone, Copy)]
+pub(super) struct Counts {
+    pub(super) nodes: usize,
+    pub(super) shapes: usize,
+    pub(super) packets: usize,
 }
 
 impl From<Child> for Link {
@@ -60,10 +78,11 @@ pub(super) struct Node {
 }
 
 impl Node {
-    /// A node over children with these boxes; the places left are empty boxes, which no ray enters.
+    /// A node over children with these boxes; the places left hold the first child in empty boxes, which no ray enters.
     pub(super) fn new(children: &[(Aabb, Child)]) -> Self {
         let mut boxes = [Aabb::EMPTY; WIDTH];
-        let mut links = [Link::default(); WIDTH];
+        let first = children.first().map(|(_, child)| (*child).into());
+        let mut links = [first.unwrap_or_default(); WIDTH];
         for (lane, (bounds, child)) in children.iter().enumerate() {
             boxes[lane] = *bounds;
             links[lane] = (*child).into();
@@ -71,6 +90,18 @@ impl Node {
         let faces = [0, 1, 2]
             .map(|axis| [boxes.map(|b| b.min[axis]), boxes.map(|b| b.max[axis])].map(Eight));
         Node { faces, links }
+    }
+
+    /// The box of all boxes.
+    pub(super) fn bounds(&self) -> Aabb {
+        let each = |side: usize| {
+            (0..WIDTH)
+                .map(move |lane| Vec3::from([0, 1, 2].map(|axis| self.faces[axis][side].0[lane])))
+        };
+        Aabb {
+            min: each(0).fold(Vec3::INFINITY, Vec3::min),
+            max: each(1).fold(Vec3::NEG_INFINITY, Vec3::max),
+        }
     }
 
     /// [`Aabb::entry`] of all boxes at once, bit for bit, and a mask of those that are entered.
@@ -146,7 +177,6 @@ mod tests {
     use crate::geometry::Ray;
     use crate::sampling::stream::{Purpose, Stream};
     use fearless_simd::{Level, dispatch};
-    use glam::Vec3;
 
     #[test]
     fn eight_boxes_at_once_are_each_box_alone() {

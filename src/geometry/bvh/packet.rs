@@ -6,32 +6,40 @@ use fearless_simd::prelude::*;
 use fearless_simd::{f32x8, mask32x8};
 use glam::Vec3;
 
-/// Up to eight triangles that follow each other in the order of the tree.
+/// Up to eight triangles.
 #[derive(Clone, Debug)]
 pub(super) struct Packet {
     /// The three corners, for each the three coordinates, for each the triangles.
     corners: [[Eight; 3]; 3],
-    /// The place of the first triangle in the order of the tree.
-    pub(super) first: u32,
+    /// Each triangle's index in the list that the tree was built from.
+    pub(super) ids: [u32; WIDTH],
     /// A bit for each triangle.
     present: u32,
 }
 
 impl Packet {
-    pub(super) fn new(first: usize, triangles: &[Triangle]) -> Self {
+    /// The packet of at most eight triangles with their indices.
+    pub(super) fn new(triangles: &[(u32, Triangle)]) -> Self {
         // Lanes without a triangle have corners, which nobody looks at.
+        let none = (0, [Vec3::ZERO; 3]);
         let lane = |i: usize| {
             triangles
                 .get(i)
-                .map_or([Vec3::ZERO; 3], |t| [t.a, t.b, t.c])
+                .map_or(none, |(id, t)| (*id, [t.a, t.b, t.c]))
         };
-        let all: [[Vec3; 3]; WIDTH] = std::array::from_fn(lane);
-        let lanes = |corner: usize, axis: usize| Eight(all.map(|t| t[corner][axis]));
+        let all: [(u32, [Vec3; 3]); WIDTH] = std::array::from_fn(lane);
+        let lanes = |corner: usize, axis: usize| Eight(all.map(|(_, t)| t[corner][axis]));
         Packet {
             corners: [0, 1, 2].map(|corner| [0, 1, 2].map(|axis| lanes(corner, axis))),
-            first: first as u32,
+            ids: all.map(|(id, _)| id),
             present: (1 << triangles.len()) - 1,
         }
+    }
+
+    /// The triangles with their indices.
+    pub(super) fn triangles(&self) -> impl Iterator<Item = (u32, Triangle)> {
+        let count = self.present.count_ones() as usize;
+        (0..count).map(|lane| (self.ids[lane], self.triangle(lane)))
     }
 
     /// One of the triangles.
@@ -99,7 +107,8 @@ mod tests {
                 let (a, b, c) = (point(), point(), point());
                 Triangle { a, b, c }
             });
-            let packet = Packet::new(0, &triangles);
+            let numbered: Vec<(u32, Triangle)> = (7..).zip(triangles).collect();
+            let packet = Packet::new(&numbered);
             // Exactly at a corner, into an edge, or anywhere.
             let t = triangles[i as usize % 5];
             let target = match i % 3 {
@@ -117,7 +126,10 @@ mod tests {
             candidates += found.count_ones();
             assert_eq!(found >> 5, 0, "lanes without a triangle");
             for (lane, t) in triangles.iter().enumerate() {
-                assert_eq!(packet.triangle(lane).a, t.a);
+                assert_eq!(
+                    (packet.ids[lane], packet.triangle(lane).a),
+                    (7 + lane as u32, t.a)
+                );
                 if t.intersect(&ray, f32::MAX).is_some() {
                     crossed += 1;
                     assert!(found >> lane & 1 == 1, "{t:?} {ray:?}");

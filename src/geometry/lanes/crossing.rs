@@ -1,6 +1,6 @@
 //! Sixteen rays, each with a quad of its own: `Quad::intersect` and `Quad::surface`, bit for bit.
 
-use super::{Column, MOST_SHAPES, Rays, gather, gather_vector};
+use super::{Column, MOST_SHAPES, Rays, clip, gather, gather_vector};
 use crate::geometry::Quad;
 use crate::geometry::aabb::EARLIER;
 use crate::numeric::lanes::{Floats, LANES, Mask, Vector, WideVector, Wides, WordRow, floats};
@@ -107,7 +107,7 @@ impl Crossings {
 
     /// Where each ray crosses the quad of its lane.
     #[inline(always)]
-    pub(super) fn intersect<S: Simd>(&self, s: S, rays: &Rays<S>, id: &WordRow) -> Crossing<S> {
+    pub(super) fn intersect<S: Simd>(&self, s: S, rays: &Rays<S>, slot: &WordRow) -> Crossing<S> {
         let (o, d) = (rays.origin, rays.direction);
         let (zero, one) = (floats(s, 0.0), floats(s, 1.0));
         let inverse = Vector {
@@ -121,9 +121,9 @@ impl Crossings {
             .simd_lt(floats(s, f32::INFINITY));
 
         let mut span = (zero, rays.t_max);
-        span = self.clip(s, id, 0, o.x, inverse.x, span);
-        span = self.clip(s, id, 1, o.y, inverse.y, span);
-        span = self.clip(s, id, 2, o.z, inverse.z, span);
+        span = clip(s, self.faces(s, slot, 0), o.x, inverse.x, span);
+        span = clip(s, self.faces(s, slot, 1), o.y, inverse.y, span);
+        span = clip(s, self.faces(s, slot, 2), o.z, inverse.z, span);
         let entry = span.0 * EARLIER;
         let in_box = entry.simd_le(span.1);
 
@@ -137,9 +137,9 @@ impl Crossings {
         for i in 0..4 {
             let [x, y, z] = &self.corners;
             let corner = Vector {
-                x: gather(s, &x[i], id),
-                y: gather(s, &y[i], id),
-                z: gather(s, &z[i], id),
+                x: gather(s, &x[i], slot),
+                y: gather(s, &y[i], slot),
+                z: gather(s, &z[i], slot),
             };
             let from = corner - o;
             let height = axes.along(from);
@@ -157,8 +157,8 @@ impl Crossings {
         let u = in_first.select(first[0] + first[1], second[0]);
         let v = in_first.select(first[1], second[0] + second[1]);
 
-        let point = gather_wide(s, &self.point, id);
-        let n = gather_wide(s, &self.plane, id);
+        let point = gather_wide(s, &self.point, slot);
+        let n = gather_wide(s, &self.plane, slot);
         let t = (n.dot(point - o.widen()) / n.dot(d.widen())).narrow();
         let ahead = t.simd_gt(zero) & t.simd_le(rays.t_max);
         Crossing {
@@ -169,27 +169,12 @@ impl Crossings {
         }
     }
 
-    /// What is left of a span of distances between two faces of the box: `Aabb::entry`.
+    /// The lower and the upper face of each lane's box along an axis.
     #[inline(always)]
-    fn clip<S: Simd>(
-        &self,
-        s: S,
-        id: &WordRow,
-        axis: usize,
-        origin: Floats<S>,
-        inverse: Floats<S>,
-        (t0, t1): (Floats<S>, Floats<S>),
-    ) -> (Floats<S>, Floats<S>) {
-        let (low, high) = (
-            gather(s, &self.low[axis], id),
-            gather(s, &self.high[axis], id),
-        );
-        let back = inverse.simd_lt(floats(s, 0.0));
-        let near = (back.select(high, low) - origin) * inverse;
-        let far = (back.select(low, high) - origin) * inverse;
+    fn faces<S: Simd>(&self, s: S, slot: &WordRow, axis: usize) -> (Floats<S>, Floats<S>) {
         (
-            near.simd_gt(t0).select(near, t0),
-            far.simd_lt(t1).select(far, t1),
+            gather(s, &self.low[axis], slot),
+            gather(s, &self.high[axis], slot),
         )
     }
 
@@ -198,21 +183,21 @@ impl Crossings {
     pub(super) fn surface<S: Simd>(
         &self,
         s: S,
-        id: &WordRow,
+        slot: &WordRow,
         u: Floats<S>,
         v: Floats<S>,
     ) -> (Vector<S>, Vector<S>, Vector<S>) {
         let weights = bilinear(s, u, v);
         let [x, y, z] = &self.corners;
         let p = Vector {
-            x: weighted(s, x, id, weights),
-            y: weighted(s, y, id, weights),
-            z: weighted(s, z, id, weights),
+            x: weighted(s, x, slot, weights),
+            y: weighted(s, y, slot, weights),
+            z: weighted(s, z, slot, weights),
         };
         (
             p,
-            gather_vector(s, &self.error, id),
-            gather_vector(s, &self.normal, id),
+            gather_vector(s, &self.error, slot),
+            gather_vector(s, &self.normal, slot),
         )
     }
 }
@@ -225,12 +210,12 @@ pub fn bilinear<S: Simd>(s: S, u: Floats<S>, v: Floats<S>) -> [Floats<S>; 4] {
 }
 
 #[inline(always)]
-fn weighted<S: Simd>(s: S, corners: &[Column; 4], id: &WordRow, w: [Floats<S>; 4]) -> Floats<S> {
+fn weighted<S: Simd>(s: S, corners: &[Column; 4], slot: &WordRow, w: [Floats<S>; 4]) -> Floats<S> {
     let [a, b, c, d] = corners;
-    gather(s, a, id) * w[0]
-        + gather(s, b, id) * w[1]
-        + gather(s, c, id) * w[2]
-        + gather(s, d, id) * w[3]
+    gather(s, a, slot) * w[0]
+        + gather(s, b, slot) * w[1]
+        + gather(s, c, slot) * w[2]
+        + gather(s, d, slot) * w[3]
 }
 
 /// `triangle::weights`, and the lanes that have some.
@@ -247,20 +232,20 @@ fn weights<S: Simd>(s: S, [u, v, w]: [Wides<S>; 3]) -> ([Floats<S>; 2], Mask<S>)
 }
 
 #[inline(always)]
-fn gather_wide<S: Simd>(s: S, columns: &[WideColumn; 3], id: &WordRow) -> WideVector<S> {
+fn gather_wide<S: Simd>(s: S, columns: &[WideColumn; 3], slot: &WordRow) -> WideVector<S> {
     let [x, y, z] = columns;
     WideVector {
-        x: gather_f64(s, x, id),
-        y: gather_f64(s, y, id),
-        z: gather_f64(s, z, id),
+        x: gather_f64(s, x, slot),
+        y: gather_f64(s, y, slot),
+        z: gather_f64(s, z, slot),
     }
 }
 
 #[inline(always)]
-fn gather_f64<S: Simd>(s: S, column: &WideColumn, id: &WordRow) -> Wides<S> {
+fn gather_f64<S: Simd>(s: S, column: &WideColumn, slot: &WordRow) -> Wides<S> {
     let mut row = [0.0; LANES];
-    for (x, id) in row.iter_mut().zip(&id.0) {
-        *x = column[*id as usize % MOST_SHAPES];
+    for (x, slot) in row.iter_mut().zip(&slot.0) {
+        *x = column[*slot as usize % MOST_SHAPES];
     }
     Wides::load(s, &row)
 }

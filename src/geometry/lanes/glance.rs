@@ -10,7 +10,9 @@ use glam::{DVec3, Vec3};
 /// What a quad is looked at by: its plane, and two forms that run from -1/2 to 1/2 on it.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Glance {
+    /// The number of the shape, and its place among the few.
     pub(super) id: u32,
+    pub(super) slot: u32,
     n: [f32; 3],
     /// The plane is where `n · p` is this.
     height: f32,
@@ -44,7 +46,7 @@ const ROUNDINGS: f32 = 16.0 * UNIT_ROUNDOFF;
 
 impl Glance {
     /// `None` where an edge is too short for its reciprocal.
-    pub(super) fn new(id: u32, quad: &Quad) -> Option<Glance> {
+    pub(super) fn new(id: u32, slot: u32, quad: &Quad) -> Option<Glance> {
         let plane = quad.plane();
         let n = plane.normal.normalize();
         let [a, b, _, d] = quad.corners().map(Vec3::as_dvec3);
@@ -58,6 +60,7 @@ impl Glance {
         let bound = |w: DVec3| (w.abs().element_sum() as f32) * ROUNDINGS;
         let glance = Glance {
             id,
+            slot,
             n: n.as_vec3().into(),
             height: n.dot(plane.point) as f32,
             across: across.as_vec3().into(),

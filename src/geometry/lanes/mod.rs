@@ -4,12 +4,16 @@
 //! with a bound on all roundings. Where the bound leaves no doubt about what is met first, that one shape is
 //! intersected as the plain code does it, in `f64` where it does, bit for bit. Where it does leave a doubt, the lane
 //! says so, and its ray is for the tree.
+//!
+//! Triangles, which come in thousands, stay in the tree. Lanes say which rays reach their box at all, and before they
+//! meet one of the few.
 
 mod ball;
 mod crossing;
 mod glance;
 
-use super::{Quad, Shape, Sphere};
+use super::aabb::EARLIER;
+use super::{Aabb, Quad, Shape, Sphere};
 use crate::numeric::lanes::{Floats, Mask, Row, Vector, WordRow, Words, bits, floats, mask, words};
 pub use crossing::bilinear;
 
@@ -26,14 +30,24 @@ pub const NO_SHAPE: u32 = u32::MAX;
 /// products with roundings stay far from the ends of the range of `f32`.
 const LARGEST: f32 = 1e9;
 
-/// Up to [`MOST_SHAPES`] quads and spheres that stand still.
+/// Up to [`MOST_SHAPES`] quads and spheres that stand still, each in a slot of its own, and the box of all triangles.
 #[derive(Clone, Debug)]
 pub struct FewShapes {
     quads: Vec<Glance>,
-    balls: Vec<(u32, Sphere)>,
+    balls: Vec<Ball>,
     crossings: Box<Crossings>,
+    /// The number of the shape in each slot.
+    ids: Vec<u32>,
     /// The largest coordinate of a corner, without sign.
     size: f32,
+    triangles: Option<Aabb>,
+}
+
+/// A sphere in its slot.
+#[derive(Clone, Copy, Debug)]
+struct Ball {
+    slot: u32,
+    sphere: Sphere,
 }
 
 /// Sixteen rays.
@@ -49,21 +63,25 @@ pub struct Rays<S: Simd> {
     pub from: Words<S>,
 }
 
-/// What sixteen rays meet first.
+/// What sixteen rays meet first of few shapes.
 #[derive(Clone, Copy, Debug)]
 pub struct FirstHits<S: Simd> {
     /// Lanes that meet something, certainly.
     pub hit: Mask<S>,
     /// Lanes in doubt: rounding may decide what they meet, or whether they meet anything.
     pub doubt: Mask<S>,
+    /// Lanes not in doubt that may meet a triangle before.
+    pub at_triangles: Mask<S>,
     /// The distance.
     pub t: Floats<S>,
     /// A quad's first coordinate.
     pub u: Floats<S>,
     /// A quad's second coordinate.
     pub v: Floats<S>,
-    /// The shape.
+    /// The shape's number.
     pub id: WordRow,
+    /// Its place among the few.
+    pub slot: WordRow,
     /// The point on it.
     pub p: Vector<S>,
     /// The bound on its error.
@@ -72,13 +90,24 @@ pub struct FirstHits<S: Simd> {
     pub n: Vector<S>,
 }
 
+/// Whether something stands in the way of sixteen rays.
+#[derive(Clone, Copy, Debug)]
+pub struct Occlusion<S: Simd> {
+    /// Lanes that are certainly blocked.
+    pub hit: Mask<S>,
+    /// Lanes in doubt.
+    pub doubt: Mask<S>,
+    /// The other lanes that may be blocked by a triangle.
+    pub at_triangles: Mask<S>,
+}
+
 /// The nearest hit so far that is certain.
 #[derive(Clone, Copy)]
 struct Nearest<S: Simd> {
     t: Floats<S>,
     /// Bound on the error of `t`.
     slack: Floats<S>,
-    id: Words<S>,
+    slot: Words<S>,
     /// The least distance of any hit that is not certain.
     doubt: Floats<S>,
 }
@@ -86,7 +115,15 @@ struct Nearest<S: Simd> {
 impl<S: Simd> Nearest<S> {
     /// Adds a shape that some lanes may cross and some certainly do.
     #[inline(always)]
-    fn add(&mut self, s: S, id: u32, at: Floats<S>, slack: Floats<S>, may: Mask<S>, does: Mask<S>) {
+    fn add(
+        &mut self,
+        s: S,
+        slot: u32,
+        at: Floats<S>,
+        slack: Floats<S>,
+        may: Mask<S>,
+        does: Mask<S>,
+    ) {
         let near = at - slack;
         // Of two that are too close to each other to tell, neither is certain.
         let close =
@@ -96,40 +133,59 @@ impl<S: Simd> Nearest<S> {
         let nearer = does & at.simd_lt(self.t);
         self.t = nearer.select(at, self.t);
         self.slack = nearer.select(slack, self.slack);
-        self.id = nearer.select(words(s, id), self.id);
+        self.slot = nearer.select(words(s, slot), self.slot);
     }
 }
 
 impl FewShapes {
-    /// Shapes with their numbers; `None` where they are too many, of other kinds, or very large or small.
-    pub fn new<'a>(shapes: impl Iterator<Item = (u32, &'a Shape)>) -> Option<FewShapes> {
+    /// Shapes with their numbers; `None` where there are too many besides triangles, or they are very large or small.
+    pub fn new(shapes: impl Iterator<Item = (u32, Shape)>) -> Option<FewShapes> {
         let mut few = FewShapes {
             quads: Vec::new(),
             balls: Vec::new(),
             crossings: Box::default(),
+            ids: Vec::new(),
             size: 0.0,
+            triangles: None,
         };
         for (id, shape) in shapes {
-            let at = usize::try_from(id).ok().filter(|at| *at < MOST_SHAPES)?;
             match shape {
-                Shape::Quad(quad) => few.add(id, at, quad)?,
-                Shape::Sphere(sphere) => few.balls.push((id, *sphere)),
-                Shape::Triangle(_) => return None,
+                Shape::Quad(quad) => few.add(id, &quad)?,
+                Shape::Sphere(sphere) => {
+                    let slot = few.next_slot(id)?;
+                    few.balls.push(Ball { slot, sphere });
+                }
+                Shape::Triangle(triangle) => {
+                    let all = few.triangles.unwrap_or(Aabb::EMPTY);
+                    few.triangles = Some(all.union(triangle.bounds()));
+                }
             }
         }
         Some(few)
     }
 
-    fn add(&mut self, id: u32, at: usize, quad: &Quad) -> Option<()> {
+    fn next_slot(&mut self, id: u32) -> Option<u32> {
+        let slot = self.ids.len();
+        self.ids.push(id);
+        (slot < MOST_SHAPES).then_some(slot as u32)
+    }
+
+    fn add(&mut self, id: u32, quad: &Quad) -> Option<()> {
+        let slot = self.next_slot(id)?;
         let corners = quad.corners();
         let size = corners
             .iter()
             .fold(0.0_f32, |size, c| size.max(c.abs().max_element()));
         self.size = self.size.max(size);
-        self.crossings.set(at, quad);
+        self.crossings.set(slot as usize, quad);
         self.quads
-            .push(Glance::new(id, quad).filter(|_| size < LARGEST)?);
+            .push(Glance::new(id, slot, quad).filter(|_| size < LARGEST)?);
         Some(())
+    }
+
+    /// The numbers of the few shapes, slot by slot.
+    pub fn ids(&self) -> &[u32] {
+        &self.ids
     }
 
     /// What each ray meets first within `t_max`.
@@ -141,40 +197,45 @@ impl FewShapes {
         let mut nearest = Nearest {
             t: floats(s, f32::MAX),
             slack: floats(s, 0.0),
-            id: words(s, NO_SHAPE),
+            slot: words(s, NO_SHAPE),
             doubt: floats(s, f32::INFINITY),
         };
         for quad in &self.quads {
             let seen = quad.look(s, rays, reach, speed);
-            nearest.add(s, quad.id, seen.t, seen.slack, seen.may, seen.does);
+            nearest.add(s, quad.slot, seen.t, seen.slack, seen.may, seen.does);
         }
-        for (id, sphere) in &self.balls {
+        for Ball { slot, sphere } in &self.balls {
             let (t, met) = ball::intersect(s, sphere, rays);
             if bits(met) != 0 {
-                nearest.add(s, *id, t, floats(s, 0.0), met, met);
+                nearest.add(s, *slot, t, floats(s, 0.0), met, met);
             }
         }
         let doubt = nearest.doubt.simd_le(nearest.t + nearest.slack) | wild;
-        let hit = nearest.id.simd_lt(words(s, NO_SHAPE)) & !doubt;
+        let hit = nearest.slot.simd_lt(words(s, NO_SHAPE)) & !doubt;
 
-        let mut id = WordRow::default();
-        id.set(nearest.id);
-        let crossing = self.crossings.intersect(s, rays, &id);
-        let (p, error, n) = self.crossings.surface(s, &id, crossing.u, crossing.v);
+        let (mut slot, mut id) = (WordRow::default(), WordRow::default());
+        slot.set(nearest.slot);
+        for (id, slot) in id.0.iter_mut().zip(&slot.0) {
+            *id = self.ids.get(*slot as usize).copied().unwrap_or(NO_SHAPE);
+        }
+        let crossing = self.crossings.intersect(s, rays, &slot);
+        let (p, error, n) = self.crossings.surface(s, &slot, crossing.u, crossing.v);
         let mut first = FirstHits {
             hit,
             doubt,
+            at_triangles: mask(s, 0),
             t: crossing.t,
             u: crossing.u,
             v: crossing.v,
             id,
+            slot,
             p,
             error,
             n,
         };
         let mut is_ball = mask(s, 0);
-        for (ball_id, sphere) in &self.balls {
-            let here = hit & nearest.id.simd_eq(words(s, *ball_id));
+        for Ball { slot, sphere } in &self.balls {
+            let here = hit & nearest.slot.simd_eq(words(s, *slot));
             if bits(here) != 0 {
                 is_ball |= here;
                 first.place(
@@ -188,14 +249,16 @@ impl FewShapes {
         let refused = hit & crossing.refused & !is_ball;
         first.doubt = doubt | refused;
         first.hit = hit & !refused;
+        let t_max = first.hit.select(first.t, rays.t_max);
+        first.at_triangles = self.reach_triangles(s, rays, t_max) & !first.doubt;
         first
     }
 
-    /// Lanes that are certainly blocked, and lanes in doubt.
+    /// Whether something blocks the rays.
     ///
     /// * `target`: the flat shape just before which the rays end; [`NO_SHAPE`] for none.
     #[inline(always)]
-    pub fn occluded<S: Simd>(&self, s: S, rays: &Rays<S>, target: u32) -> (Mask<S>, Mask<S>) {
+    pub fn occluded<S: Simd>(&self, s: S, rays: &Rays<S>, target: u32) -> Occlusion<S> {
         let (reach, speed, wild) = self.scale(s, rays);
         let mut hit = mask(s, 0);
         let mut doubt = wild;
@@ -209,11 +272,35 @@ impl FewShapes {
                 hit |= seen.does & (seen.t + seen.slack).simd_le(rays.t_max);
             }
         }
-        for (_, sphere) in &self.balls {
+        for Ball { sphere, .. } in &self.balls {
             let (_, met) = ball::intersect(s, sphere, rays);
             hit |= met;
         }
-        (hit, doubt & !hit)
+        Occlusion {
+            hit,
+            doubt: doubt & !hit,
+            at_triangles: self.reach_triangles(s, rays, rays.t_max) & !(hit | doubt),
+        }
+    }
+
+    /// The rays that enter the box of all triangles by `t_max`: [`Aabb::entry`].
+    #[inline(always)]
+    fn reach_triangles<S: Simd>(&self, s: S, rays: &Rays<S>, t_max: Floats<S>) -> Mask<S> {
+        let Some(Aabb { min, max }) = self.triangles else {
+            return mask(s, 0);
+        };
+        let (zero, one) = (floats(s, 0.0), floats(s, 1.0));
+        let (o, d) = (rays.origin, rays.direction);
+        let mut span = (zero, t_max);
+        for (origin, direction, min, max) in [
+            (o.x, d.x, min.x, max.x),
+            (o.y, d.y, min.y, max.y),
+            (o.z, d.z, min.z, max.z),
+        ] {
+            let faces = (floats(s, min), floats(s, max));
+            span = clip(s, faces, origin, one / direction, span);
+        }
+        (span.0 * EARLIER).simd_le(span.1)
     }
 
     /// The largest coordinate of a point near each ray's origin or on a quad, of its direction, and the lanes for
@@ -243,27 +330,45 @@ impl<S: Simd> FirstHits<S> {
     }
 }
 
-/// A number of each shape.
+/// What is left of a span of distances between two faces of a box: [`Aabb::entry`].
+#[inline(always)]
+fn clip<S: Simd>(
+    s: S,
+    (low, high): (Floats<S>, Floats<S>),
+    origin: Floats<S>,
+    inverse: Floats<S>,
+    (t0, t1): (Floats<S>, Floats<S>),
+) -> (Floats<S>, Floats<S>) {
+    let back = inverse.simd_lt(floats(s, 0.0));
+    let near = (back.select(high, low) - origin) * inverse;
+    let far = (back.select(low, high) - origin) * inverse;
+    (
+        near.simd_gt(t0).select(near, t0),
+        far.simd_lt(t1).select(far, t1),
+    )
+}
+
+/// A number of each of few shapes, slot by slot.
 pub type Column = [f32; MOST_SHAPES];
 
-/// The number of each lane's shape; of any for [`NO_SHAPE`].
+/// The number in each lane's slot; of any for [`NO_SHAPE`].
 #[inline(always)]
-pub fn gather<S: Simd>(s: S, column: &Column, id: &WordRow) -> Floats<S> {
+pub fn gather<S: Simd>(s: S, column: &Column, slot: &WordRow) -> Floats<S> {
     let mut row = Row::default();
-    for (x, id) in row.0.iter_mut().zip(&id.0) {
-        *x = column[*id as usize % MOST_SHAPES];
+    for (x, slot) in row.0.iter_mut().zip(&slot.0) {
+        *x = column[*slot as usize % MOST_SHAPES];
     }
     row.get(s)
 }
 
-/// The vector of each lane's shape.
+/// The vector in each lane's slot.
 #[inline(always)]
-pub fn gather_vector<S: Simd>(s: S, columns: &[Column; 3], id: &WordRow) -> Vector<S> {
+pub fn gather_vector<S: Simd>(s: S, columns: &[Column; 3], slot: &WordRow) -> Vector<S> {
     let [x, y, z] = columns;
     Vector {
-        x: gather(s, x, id),
-        y: gather(s, y, id),
-        z: gather(s, z, id),
+        x: gather(s, x, slot),
+        y: gather(s, y, slot),
+        z: gather(s, z, slot),
     }
 }
 

@@ -1,7 +1,7 @@
 //! Sixteen rays at once against one at a time.
 
 use super::*;
-use crate::geometry::{Bvh, Ray, Surface};
+use crate::geometry::{Bvh, Intersection, Ray, Surface, Triangle};
 use crate::numeric::lanes::{Each, LANES, Row3, levels};
 use crate::sampling::stream::{Numbers, Purpose, Stream};
 use crate::sampling::warps;
@@ -16,7 +16,26 @@ fn point(numbers: &mut Numbers, size: f32) -> Vec3 {
     Vec3::from([(); 3].map(|()| (numbers.one() - 0.5) * size))
 }
 
-/// A room with a block of slanted quads and two balls in it, so large.
+fn few(shapes: &[Shape]) -> Option<FewShapes> {
+    FewShapes::new((0..).zip(shapes.iter().copied()))
+}
+
+/// A bowl of triangles, and a room with slanted quads and two balls in it, so large.
+fn room_with_bowl(size: f32) -> Vec<Shape> {
+    let corner = |x: u32, z: u32| {
+        let [x, z] = [x, z].map(|i| i as f32 / 6.0 - 0.5);
+        Vec3::new(x + 0.2, x * x + z * z - 0.3, z) * size
+    };
+    let cells = (0..6).flat_map(|x| (0..6).map(move |z| (x, z)));
+    let bowl = cells.flat_map(|(x, z)| {
+        let [a, b, c, d] =
+            [(x, z), (x, z + 1), (x + 1, z + 1), (x + 1, z)].map(|(x, z)| corner(x, z));
+        [Triangle { a, b, c }, Triangle { a, b: c, c: d }]
+    });
+    bowl.map(Shape::Triangle).chain(room(size)).collect()
+}
+
+/// A room with slanted quads and two balls in it, so large.
 fn room(size: f32) -> Vec<Shape> {
     let quad = |corner: [f64; 3], u: [f64; 3], v: [f64; 3]| {
         let [corner, u, v] = [corner, u, v].map(|x| DVec3::from(x) * f64::from(size));
@@ -59,13 +78,13 @@ fn rays(shapes: &[Shape], size: f32, i: u32) -> Vec<(Ray, u32)> {
             .filter(|c| !c.is_empty())
             .collect();
         let corners = &quads[(numbers.one() * quads.len() as f32) as usize];
-        let at = (numbers.one() * 4.0) as usize;
+        let at = (numbers.one() * corners.len() as f32) as usize;
         let along = if numbers.one() < 0.5 {
             0.0
         } else {
             numbers.one()
         };
-        corners[at].lerp(corners[(at + 1) % 4], along)
+        corners[at].lerp(corners[(at + 1) % corners.len()], along)
     };
     let ray = |kind: u32, numbers: &mut Numbers| match kind {
         0 => {
@@ -100,7 +119,9 @@ fn surface_of(shape: &Shape, u: [f32; 2]) -> Surface {
         Shape::Sphere(sphere) => {
             sphere.surface_towards(warps::sample_sphere(u).as_dvec3().normalize())
         }
-        Shape::Triangle(_) => unreachable!("no triangle here"),
+        Shape::Triangle(triangle) => {
+            triangle.surface(Intersection::new(0.0, u[0] * u[1], u[0] * (1.0 - u[1])))
+        }
     }
 }
 
@@ -110,6 +131,8 @@ struct Count {
     hit: u32,
     missed: u32,
     doubt: u32,
+    /// Lanes that ask the tree of the triangles.
+    at_triangles: u32,
     /// Lanes in which something else came out than for one ray.
     wrong: u32,
 }
@@ -128,7 +151,7 @@ fn count(few: &FewShapes, shapes: &[Shape], size: f32, level: Level, rounds: u32
             direction.set_lane(lane, ray.direction);
             (t_max.0[lane], from.0[lane]) = (ray.reach(), *id);
         }
-        let (hit, doubt, id, numbers, surface, any, unsure) = dispatch!(level, s => {
+        let (first, id, numbers, surface, any) = dispatch!(level, s => {
             let rays = Rays {
                 origin: origin.get(s),
                 direction: direction.get(s),
@@ -136,46 +159,54 @@ fn count(few: &FewShapes, shapes: &[Shape], size: f32, level: Level, rounds: u32
                 from: from.get(s),
             };
             let first = few.intersect(s, &rays);
-            let (any, unsure) = few.occluded(s, &rays, NO_SHAPE);
+            let any = few.occluded(s, &rays, NO_SHAPE);
             (
-                bits(first.hit),
-                bits(first.doubt),
+                [first.hit, first.doubt, first.at_triangles].map(bits),
                 first.id,
                 [first.t, first.u, first.v].map(Row::from),
                 [first.p, first.error, first.n].map(Row3::from),
-                bits(any),
-                bits(unsure),
+                [any.hit, any.doubt, any.at_triangles].map(bits),
             )
         });
         for lane in Each(crate::numeric::lanes::ALL_LANES) {
-            let bit = |mask: u32| mask >> lane & 1 == 1;
+            let lane_of = |masks: [u32; 3]| masks.map(|mask| mask >> lane & 1 == 1);
             let ray = &rays[lane].0;
             let plain = tree.first_hit(ray);
+            let [hit, _, at_triangles] = lane_of(first);
+            let is_triangle = |id: u32| matches!(shapes[id as usize], Shape::Triangle(_));
             let same = match &plain {
-                None => !bit(hit),
+                None => !hit,
+                Some(found) if is_triangle(found.id) => {
+                    let alone = tree
+                        .first_triangle(ray)
+                        .map(|alone| (alone.id, alone.intersection));
+                    at_triangles && alone == Some((found.id, found.intersection))
+                }
                 Some(found) => {
                     let at = found.intersection;
-                    let plain = found.shape.surface(ray, at);
-                    bit(hit)
-                        && id.0[lane] == found.id
+                    let plain = found.surface(ray);
+                    hit && id.0[lane] == found.id
                         && numbers.each_ref().map(|row| row.0[lane].to_bits())
                             == [at.t, at.u, at.v].map(f32::to_bits)
                         && surface.each_ref().map(|row| row.lane(lane))
                             == [plain.p, plain.error, plain.n].map(|v| v.to_array())
                 }
             };
-            counts[0].add(bit(hit), bit(doubt), same);
-            counts[1].add(bit(any), bit(unsure), bit(any) == plain.is_some());
+            counts[0].add(lane_of(first), same);
+            let [hit, _, at_triangles] = lane_of(any);
+            let blocked = hit || (at_triangles && tree.occluded_by_triangles(ray));
+            counts[1].add(lane_of(any), blocked == plain.is_some());
         }
     }
     counts
 }
 
 impl Count {
-    fn add(&mut self, hit: bool, doubt: bool, same: bool) {
+    fn add(&mut self, [hit, doubt, at_triangles]: [bool; 3], same: bool) {
         self.hit += u32::from(hit);
         self.doubt += u32::from(doubt);
-        self.missed += u32::from(!hit && !doubt);
+        self.at_triangles += u32::from(at_triangles);
+        self.missed += u32::from(!hit && !doubt && !at_triangles);
         self.wrong += u32::from(!doubt && !same);
     }
 }
@@ -183,8 +214,8 @@ impl Count {
 #[test]
 fn what_is_certain_in_lanes_is_what_one_ray_meets() {
     for size in [1.0, 555.0, 1e-4, 3e7] {
-        let shapes = room(size);
-        let few = FewShapes::new((0..).zip(&shapes)).expect("few shapes");
+        let shapes = room_with_bowl(size);
+        let few = few(&shapes).expect("few shapes");
         let all = levels()
             .into_iter()
             .map(|level| count(&few, &shapes, size, level, 1500));
@@ -201,6 +232,9 @@ fn what_is_certain_in_lanes_is_what_one_ray_meets() {
             "{first:?}"
         );
         assert!(any.hit > 10_000 && any.doubt < 10_000, "{any:?}");
+        // Most of the rays miss the bowl, or its box, or meet something before.
+        let asked = first.at_triangles;
+        assert!(asked > 3000 && asked < 14_000, "{first:?}");
         assert!(all.iter().all(|counts| counts == &all[0]), "{all:?}");
     }
 }
@@ -208,7 +242,7 @@ fn what_is_certain_in_lanes_is_what_one_ray_meets() {
 #[test]
 fn few_rays_leave_a_doubt() {
     let shapes = room(1.0);
-    let few = FewShapes::new((0..).zip(&shapes)).expect("few shapes");
+    let few = few(&shapes).expect("few shapes");
     let mut doubts = 0;
     for i in 0..2000 {
         let mut numbers = numbers(12, i);
@@ -238,7 +272,7 @@ fn few_rays_leave_a_doubt() {
 #[test]
 fn without_a_bound_on_roundings_lanes_go_wrong() {
     let shapes = room(555.0);
-    let mut few = FewShapes::new((0..).zip(&shapes)).expect("few shapes");
+    let mut few = few(&shapes).expect("few shapes");
     for quad in &mut few.quads {
         quad.be_rash();
     }
@@ -247,11 +281,25 @@ fn without_a_bound_on_roundings_lanes_go_wrong() {
 }
 
 #[test]
+fn with_too_small_a_box_triangles_are_missed() {
+    let shapes = room_with_bowl(1.0);
+    let mut few = few(&shapes).expect("few shapes");
+    few.triangles = few.triangles.map(|b| Aabb {
+        max: b.max - Vec3::Y * 0.02,
+        ..b
+    });
+    let [first, any] = count(&few, &shapes, 1.0, Level::new(), 1500);
+    assert!(first.wrong > 0 && any.wrong > 0, "{first:?} {any:?}");
+}
+
+#[test]
 fn what_is_not_few_or_is_of_no_common_size_is_for_the_tree() {
     let one = room(1.0);
     let many: Vec<Shape> = one.iter().cycle().take(65).copied().collect();
-    assert!(FewShapes::new((0..).zip(&many[..64])).is_some());
-    assert!(FewShapes::new((0..).zip(&many)).is_none());
-    assert!(FewShapes::new((0..).zip(&room(1e10))).is_none());
-    assert!(FewShapes::new((0..).zip(&room(1e-12))).is_none());
+    assert!(few(&many[..64]).is_some());
+    assert!(few(&many).is_none());
+    let bowl = room_with_bowl(1.0);
+    assert!(bowl.len() > 64 && few(&bowl).is_some());
+    assert!(few(&room(1e10)).is_none());
+    assert!(few(&room(1e-12)).is_none());
 }

@@ -12,9 +12,12 @@ use super::Path;
 use super::path::LEAST_SURVIVAL;
 use super::world::{Guided, World};
 use crate::color::Rgb;
+use crate::geometry::Ray;
 use crate::geometry::lanes::{Rays, gather_vector};
 use crate::materials::{Event, kinds};
-use crate::numeric::lanes::{ALL_LANES, Each, Row, Vector, WordRow, bits, floats, mask, words};
+use crate::numeric::lanes::{
+    ALL_LANES, Each, Row, Vector, WordRow, bits, floats, level_name, mask, words,
+};
 use crate::sampling::lanes::Streams;
 use crate::sampling::mis::Heuristic;
 use crate::sampling::stream::{Purpose, Sampler, Stream};
@@ -61,6 +64,11 @@ impl<'s> PathInLanes<'s> {
     #[must_use]
     pub fn by(self, level: Level) -> Self {
         PathInLanes { level, ..self }
+    }
+
+    /// What the instructions are called by which it runs.
+    pub fn level_name(&self) -> &'static str {
+        level_name(self.level)
     }
 
     /// Takes samples as long as `next` has some, and adds the light of each to `light`, in their order.
@@ -206,7 +214,24 @@ impl<'w, 's, S: Simd> Walk<'w, 's, S> {
             paths.here.error.set(hits.error);
             paths.here.n.set(hits.n);
             paths.here.shape = hits.id;
-            paths.albedo.set(gather_vector(s, scene.albedo(), &hits.id));
+            paths
+                .albedo
+                .set(gather_vector(s, scene.albedo(), &hits.slot));
+            for lane in Each(bits(hits.at_triangles) & live) {
+                // Of two at the same distance the one with the lower number is met, whichever is found first.
+                let few =
+                    (met >> lane & 1 == 1).then_some((paths.t.0[lane], paths.here.shape.0[lane]));
+                let ray = Ray {
+                    t_max: few.map_or(f32::INFINITY, |(t, _)| t),
+                    ..paths.ray.lane(lane)
+                };
+                if let Some(hit) = scene.first_triangle(&ray)
+                    && few.is_none_or(|few| (hit.intersection.t, hit.shape) < few)
+                {
+                    met |= 1 << lane;
+                    paths.set_hit(lane, &hit, diffuse_albedo(scene.object(hit.shape)));
+                }
+            }
         }
         for lane in Each(doubt) {
             if let Some(hit) = scene.first_hit(&paths.ray.lane(lane)) {

@@ -62,6 +62,11 @@ fn whoever_asks_for_path_by_name_gets_lanes() {
     let entry = crate::integrators::find("path").expect("path");
     let path = entry.prepare(&scene, &settings).expect("path");
     assert!(path.in_lanes(&scene).is_some());
+    let options = Options::default();
+    let by = |scene: Scene| render(&scene.sized([4, 4]), path.as_ref(), &options, &()).lanes;
+    assert_eq!(by(scene.clone()), Some(level_name(Level::new())));
+    let moving = gallery::load("motion").expect("a scene");
+    assert_eq!(by(moving), None, "what moves is traced one by one");
 }
 
 #[test]

@@ -2,7 +2,7 @@
 
 use super::Walk;
 use super::paths::Paths;
-use crate::geometry::lanes::NO_SHAPE;
+use crate::geometry::lanes::{NO_SHAPE, Rays};
 use crate::geometry::{Ray, Surface};
 use crate::integrators::path::LEAST_SURVIVAL;
 use crate::lights::Incident;
@@ -118,32 +118,11 @@ impl<'s, S: Simd> Walk<'_, 's, S> {
         let f = at.albedo * FRAC_1_PI;
         let same_side = (at.cos_o * cos_i).simd_gt(zero);
         let asks = at.lanes & sample.some & same_side & !f.is_zero(s) & !cos.simd_eq(zero);
-        let mut visible = bits(asks);
         tracer.count(RayCounts {
-            shadow: visible.count_ones().into(),
+            shadow: bits(asks).count_ones().into(),
             ..RayCounts::default()
         });
-        let mut doubt = visible;
-        if let Some(shapes) = scene.shapes() {
-            let (hit, unsure) = shapes.occluded(s, &sample.shadow_rays, target);
-            visible &= !bits(hit);
-            doubt = visible & bits(unsure);
-        }
-        if doubt != 0 {
-            let rays = &sample.shadow_rays;
-            let (origin, direction) = (Row3::from(rays.origin), Row3::from(rays.direction));
-            let t_max = Row::from(rays.t_max);
-            for lane in Each(doubt) {
-                let ray = Ray::new(origin.lane(lane).into(), direction.lane(lane).into());
-                let ray = Ray {
-                    t_max: t_max.0[lane],
-                    ..ray
-                };
-                if scene.occluded(&ray) {
-                    visible &= !(1 << lane);
-                }
-            }
-        }
+        let visible = self.visible(&sample.shadow_rays, target, bits(asks));
 
         // `Heuristic::Power`.
         let ratio = cos * FRAC_1_PI / sample.pdf;
@@ -153,6 +132,39 @@ impl<'s, S: Simd> Walk<'_, 's, S> {
         let scattered = self.paths.beta.get(s).times((f * cos).times(li));
         let sum = self.paths.li.get(s) + scattered;
         self.paths.li.set_where(s, mask(s, visible), sum);
+    }
+
+    /// Those of some lanes whose shadow rays meet nothing before their end, on the shape `target`.
+    #[inline(always)]
+    fn visible(&self, rays: &Rays<S>, target: u32, asks: u32) -> u32 {
+        let (s, scene) = (self.s, &self.by.scene);
+        let (mut visible, mut doubt, mut at_triangles) = (asks, asks, 0);
+        if let Some(shapes) = scene.shapes() {
+            let few = shapes.occluded(s, rays, target);
+            visible &= !bits(few.hit);
+            doubt = visible & bits(few.doubt);
+            at_triangles = visible & bits(few.at_triangles);
+        }
+        if doubt | at_triangles == 0 {
+            return visible;
+        }
+        let (origin, direction) = (Row3::from(rays.origin), Row3::from(rays.direction));
+        let t_max = Row::from(rays.t_max);
+        for lane in Each(doubt | at_triangles) {
+            let ray = Ray::new(origin.lane(lane).into(), direction.lane(lane).into());
+            let ray = Ray {
+                t_max: t_max.0[lane],
+                ..ray
+            };
+            let blocked = match doubt >> lane & 1 == 1 {
+                true => scene.occluded(&ray),
+                false => scene.occluded_by_triangles(&ray),
+            };
+            if blocked {
+                visible &= !(1 << lane);
+            }
+        }
+        visible
     }
 
     /// Samples a light in some lanes by the plain code: near a quad, which is sampled by solid angle there, and all
