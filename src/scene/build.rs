@@ -119,15 +119,17 @@ pub(super) fn assemble(from: &Arc<MadeFrom>) -> Checked<Scene> {
         unused_materials: unused,
         ..parts.inventory
     };
-    let bvh = Bvh::new(&shapes);
-    let bounds = transformed.as_ref().map_or(Aabb::EMPTY, |t| t.bvh.bounds());
-    let bounds = bvh.bounds().union(bounds);
-    let emission_choice = EmissionChoice::new(&parts.lights, bounds);
     let shown = inventory.diffuse > 0 || inventory.glossy > 0 && inventory.point_lights > 0;
     let targets = match shown {
         true => focusing::targets(&parts.objects, &placed, &parts.instances),
         false => Targets::default(),
     };
+    // A list of a million shapes makes room before their tree takes it.
+    drop(placed);
+    let bvh = Bvh::new(&shapes);
+    let bounds = transformed.as_ref().map_or(Aabb::EMPTY, |t| t.bvh.bounds());
+    let bounds = bvh.bounds().union(bounds);
+    let emission_choice = EmissionChoice::new(&parts.lights, bounds);
     let caustic_choice = EmissionChoice::towards(&parts.lights, bounds, targets);
     Ok(Scene {
         made_from: Arc::clone(from),

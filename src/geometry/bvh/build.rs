@@ -322,6 +322,23 @@ mod tests {
     use glam::Vec3;
 
     #[test]
+    fn a_triangle_of_a_mesh_takes_some_sixty_bytes() {
+        let corner = |x: u32, y: u32| Vec3::new(x as f32, y as f32, libm::sinf((x * x + y) as f32));
+        let cells = (0..100).flat_map(|x| (0..100).map(move |y| (x, y)));
+        let mesh: Vec<Shape> = cells
+            .flat_map(|(x, y)| {
+                let (a, c) = (corner(x, y), corner(x + 1, y + 1));
+                [corner(x + 1, y), corner(x, y + 1)].map(|b| Shape::Triangle(Triangle { a, b, c }))
+            })
+            .collect();
+        let tree = build(&mesh);
+        assert!(tree.shapes.is_empty());
+        let bytes = tree.nodes.len() * size_of::<Node>() + tree.packets.len() * size_of::<Packet>();
+        let each = bytes / mesh.len();
+        assert!((45..65).contains(&each), "{each} bytes a triangle");
+    }
+
+    #[test]
     fn parts_built_side_by_side_make_the_same_tree() {
         let shapes: Vec<Shape> = (0..3000)
             .map(|i| {
