@@ -1,6 +1,7 @@
 //! How fast noise and blur fall when each pass has smaller discs.
 
-use super::landing::{LAMP, flat_world};
+use super::landing::flat_world;
+use super::window::LAMP;
 use super::scene;
 use glam::{Vec2, Vec3};
 use halfdisk::integrators::Photons;
