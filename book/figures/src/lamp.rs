@@ -8,22 +8,24 @@ use halfdisk::stats::Estimate;
 
 /// Half of the angle at which the lamp is seen, in radians.
 pub const HALF_ANGLE: [f64; 2] = [0.01, 1.5];
-/// The three ways, in the order of all lists.
-pub const WAYS: [Technique; 3] = [
+/// The ways to find it, in the order of all lists.
+pub const WAYS: [Technique; 4] = [
     Technique::Chance,
     Technique::Aiming,
     Technique::Both(Heuristic::Balance),
+    Technique::Both(Heuristic::Power),
 ];
 /// Samples of each way behind its mean.
 const SAMPLES: u32 = 400;
 /// Directions of each technique that are drawn.
 pub const RAYS: u32 = 24;
 
-/// The radiance of the floor, and the variance of one sample by each of [`WAYS`].
+/// The radiance of the floor, and the variance of one sample by each of [`WAYS`]; then the bound for the third of them, and
+/// what somebody would reach who knows the better of the first two.
 pub fn law(half_angle: f64) -> Vec<f64> {
     let lamp = Overhead::new(within(half_angle, HALF_ANGLE));
     let variances = WAYS.map(|way| lamp.variance(way));
-    [[lamp.mean()].as_slice(), &variances].concat()
+    [&[lamp.mean()], &variances[..], &[lamp.bound(), lamp.oracle()]].concat()
 }
 
 /// For each of [`WAYS`] mean and standard error of the floor's radiance; then [`RAYS`] angles of directions by chance,

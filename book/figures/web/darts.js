@@ -23,10 +23,10 @@ figure("darts", {
         for (let i = 0; i < thrown.length; i += 3) {
             board.dot(thrown.slice(i, i + 2), thrown[i + 2] > 0 ? "blue" : "vermillion", 2);
         }
-        const chart = view.chart(new Scale(this.range, true), new Scale([2.6, 3.7]), "one run, as it goes on");
+        const chart = view.chart(new Scale(this.range, true), new Scale([2.6, 3.7]), "one run, ± two standard errors");
         chart.axes("darts", "estimate of π");
-        const above = run.map(([n, pi, e]) => [n, pi + e]);
-        const below = run.map(([n, pi, e]) => [n, pi - e]);
+        const above = run.map(([n, pi, e]) => [n, pi + 2 * e]);
+        const below = run.map(([n, pi, e]) => [n, pi - 2 * e]);
         chart.area([...above, ...below.reverse()], "blue");
         chart.line(run.map(([n, pi]) => [n, pi]), "blue", "bold");
         chart.line(this.range.map((n) => [n, Math.PI]), "ink", "dashed");

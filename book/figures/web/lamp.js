@@ -11,14 +11,14 @@ figure("lamp", {
     columns: 2,
     prepare(numbers, seed) {
         // The curves are the same in every run.
-        this.curves ??= new Scale(this.range, true).steps(48).map((angle) => [angle, numbers.lamp_law(angle)]);
+        this.curves ??= new Scale(this.range, true).steps(32).map((angle) => [angle, numbers.lamp_law(angle)]);
         return this.curves;
     },
     draw(view, numbers, angle, seed, curves) {
-        const [mean, ...variances] = numbers.lamp_law(angle);
+        const law = numbers.lamp_law(angle);
         const read = numbers.lamp(angle, seed);
         const [chance, chanceError, aiming, aimingError, both, bothError] = read;
-        const angles = read.slice(6);
+        const angles = read.slice(8);
         const half = angles.length / 2;
         const on = (theta, radius) => [radius * Math.sin(theta), radius * Math.cos(theta)];
         const plot = view.drawing([-1.5, 1.5], [-0.1, 1.3], "directions, and where the lamp is");
@@ -38,24 +38,25 @@ figure("lamp", {
         const x = new Scale(this.range, true);
         const chart = view.chart(x, new Scale([1e-8, 1e3], true), "what one sample costs");
         chart.axes("half angle, radians", "variance / squared mean");
-        const ways = [
-            ["chance", "blue"],
-            ["aiming", "vermillion"],
-            ["both", "green"],
-        ];
         const relative = (law, i) => law[i + 1] / law[0] ** 2;
-        for (const [i, [name, colour]] of ways.entries()) {
+        const ways = [
+            ["chance", "blue", 8, -8],
+            ["aiming", "vermillion", 12, 8],
+            ["balance", "green", 8, -8],
+            ["power", "purple", 8, 12],
+            ["bound", "grey", 8, -8],
+            ["oracle", "grey", 12, 12],
+        ];
+        for (const [i, [name, colour, dx, dy]] of ways.entries()) {
             const shown = curves.filter(([, law]) => relative(law, i) >= 1e-8);
-            chart.line(shown.map(([a, law]) => [a, relative(law, i)]), colour, "bold");
-            const [at, law] = shown[0];
-            chart.text([at, relative(law, i)], name, { anchor: "start", colour: `${colour} halo`, dx: 8, dy: i === 0 ? -8 : 12 });
-        }
-        for (const [i, [, colour]] of ways.entries()) {
-            chart.dot([angle, Math.max(1e-8, variances[i] / mean ** 2)], colour, 5);
+            chart.line(shown.map(([a, law]) => [a, relative(law, i)]), colour, i < 4 ? "bold" : "dashed");
+            const [a, first] = shown[name === "oracle" ? 6 : 0];
+            chart.text([a, relative(first, i)], name, { anchor: "start", colour: `${colour} halo`, dx, dy });
+            if (i < 4) chart.dot([angle, Math.max(1e-8, relative(law, i))], colour, 4.5);
         }
         return {
             read:
-                `The floor sends out sin a = ${say(mean)}. 400 samples read ${withError(chance, chanceError)} by chance, ` +
+                `The floor sends out sin a = ${say(law[0])}. 400 samples read ${withError(chance, chanceError)} by chance, ` +
                 `${withError(aiming, aimingError)} by aiming, and ${withError(both, bothError)} by both with the balance heuristic.`,
             handle: [plot, on(angle, 1.15)],
         };

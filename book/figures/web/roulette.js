@@ -9,21 +9,34 @@ figure("roulette", {
     random: true,
     columns: 1,
     prepare(numbers) {
-        const wall = numbers.roulette_law(0.9)[3];
-        // Closer together near the wall, where the curve is steep.
-        const places = new Scale([0.03, 1]).steps(80).map((t) => wall + (this.range[1] - wall) * t ** 2);
-        return { wall, curve: places.map((q) => [q, numbers.roulette_law(q)[1]]).filter(([, v]) => v < 1e4) };
+        this.curves ??= [0.5, 0.8, 0.9].map((albedo, i) => {
+            const wall = albedo ** 2;
+            const first = Math.max(wall, this.range[0]);
+            // Closer together near the wall, where the curve is steep.
+            const places = new Scale([0.01, 1]).steps(120).map((t) => first + (this.range[1] - first) * t ** 2);
+            const prices = places.map((q) => [q, numbers.roulette_law(q)[5 + i]]);
+            return { albedo, wall, curve: prices.filter(([, price]) => price < 1000) };
+        });
+        return this.curves;
     },
-    draw(view, numbers, q, seed, { wall, curve }) {
-        const [mean, variance, segments, , settles] = numbers.roulette_law(q);
+    draw(view, numbers, q, seed, curves) {
+        const [mean, variance, segments, , settles, , price] = numbers.roulette_law(q);
         const [read, error, ...runs] = numbers.roulette(q, seed);
-        const chart = view.chart(new Scale(this.range), new Scale([0.1, 1e4], true), "the price of stopping early");
-        chart.axes("probability q to survive a surface", "variance of a path");
-        chart.area([[0.4, 0.1], [0.4, 1e4], [wall, 1e4], [wall, 0.1]], "vermillion");
-        chart.line([[wall, 0.1], [wall, 1e4]], "vermillion", "dashed");
-        chart.text([(0.4 + wall) / 2, 3500], "infinite variance", { colour: "vermillion" });
-        chart.line(curve, "blue", "bold");
-        for (const claimed of runs) chart.dot([q, claimed], "ink", 3.5, "hollow");
+        const [low, high] = [0.1, 1000];
+        const chart = view.chart(new Scale(this.range), new Scale([low, high], true), "what certainty costs");
+        chart.axes("probability q to survive a surface", "variance × segments / squared mean");
+        const colours = ["blue", "vermillion", "green"];
+        for (const [i, { albedo, wall, curve }] of curves.entries()) {
+            if (wall > this.range[0]) {
+                chart.line([[wall, low], [wall, high]], colours[i], "dashed");
+            }
+            chart.line(curve, colours[i], "bold");
+            const [at, start] = curve[0];
+            chart.text([at, start], `albedo ${albedo}`, { anchor: "start", colour: `${colours[i]} halo`, dx: 8, dy: i === 0 ? -8 : 6 });
+        }
+        for (const claimed of runs) {
+            chart.dot([q, Math.max(low, (claimed * segments) / mean ** 2)], "ink", 3.5, "hollow");
+        }
         const claim = !Number.isFinite(variance)
             ? "The variance is infinite, so this error bar means nothing."
             : settles
@@ -31,9 +44,9 @@ figure("roulette", {
               : `The variance is ${say(variance)}, and most runs claim less.`;
         return {
             read:
-                `Paths have ${say(segments)} segments on average. 4800 of them read ${withError(read, error)}; the truth is ` +
-                `${say(mean, 2)}. ${claim}`,
-            handle: [chart, [q, Math.min(variance, 1e4)]],
+                `Albedo 0.8: paths have ${say(segments)} segments on average. 4800 of them read ${withError(read, error)}; the ` +
+                `truth is ${say(mean, 2)}. ${claim}`,
+            handle: [chart, [q, Math.min(price, high)]],
         };
     },
     drag: ([q]) => q,
