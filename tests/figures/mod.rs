@@ -116,8 +116,16 @@ fn a_path_brings_the_share_of_each_emission_and_on_average_the_truth() {
             // At the distance cos θ / 2 the lobe is a circle, half as wide as the longest ray is long.
             assert_eq!(lobe.len(), 2 * path::LOBE as usize);
             let last = &ends[6 * segments - 6..];
-            let n = [[0.0, 1.0], [0.0, -1.0], [1.0, 0.0], [-1.0, 0.0]]
-                [[last[3], 1.0 - last[3], last[2], 1.0 - last[2]].map(|x| x < 1e-5).iter().position(|x| *x).unwrap()];
+            let n = [[0.0, 1.0], [0.0, -1.0], [1.0, 0.0], [-1.0, 0.0]][[
+                last[3],
+                1.0 - last[3],
+                last[2],
+                1.0 - last[2],
+            ]
+            .map(|x| x < 1e-5)
+            .iter()
+            .position(|x| *x)
+            .unwrap()];
             for p in lobe.chunks(2) {
                 near((p[0] - 0.25 * n[0]).hypot(p[1] - 0.25 * n[1]), 0.25, 1e-6);
             }
@@ -142,7 +150,7 @@ fn a_lamp_has_the_variances_of_its_three_ways() {
         for (i, variance) in [chance, aiming, both, power].into_iter().enumerate() {
             let read = |seed| {
                 let numbers = lamp::run(angle, seed);
-                [numbers[2 * i], numbers[2 * i + 1]]
+                [numbers[3 * i], numbers[3 * i + 1]]
             };
             let [found, _] = over_seeds(50, read);
             // The samples' own error says nothing where no sample finds the lamp: the law's does.
@@ -150,7 +158,7 @@ fn a_lamp_has_the_variances_of_its_three_ways() {
             reads("a lamp", [found, error], sin, 0.5);
         }
         let numbers = lamp::run(angle, 1);
-        let (_, aimed) = numbers[8..].split_at(lamp::RAYS as usize);
+        let (_, aimed) = numbers[12..].split_at(lamp::RAYS as usize);
         assert_eq!(aimed.len(), lamp::RAYS as usize);
         assert!(aimed.iter().all(|theta| theta.abs() <= angle));
     }
@@ -169,7 +177,11 @@ fn roulette_has_its_variance_and_its_wall() {
     }
     assert_eq!(roulette::law(0.64)[1], f64::INFINITY);
     // (1 + ρ)/(1 - ρ)/(1 - ρ²/q) less 4, for ρ and q of one half, times two segments, over 4.
-    near(roulette::law(0.5)[5], (3.0 / (1.0 - 0.5) - 4.0) * 2.0 / 4.0, 1e-9);
+    near(
+        roulette::law(0.5)[5],
+        (3.0 / (1.0 - 0.5) - 4.0) * 2.0 / 4.0,
+        1e-9,
+    );
     assert_eq!(roulette::law(0.5)[1], f64::INFINITY);
     for (survival, share) in [(0.9, 0.01), (0.8, 0.02)] {
         let read = |seed| {
@@ -209,7 +221,10 @@ fn a_window_has_its_bias_and_its_variance() {
         assert_eq!(landed, window::SHOWN as usize);
     }
     // No walk lands in a window that nobody can see.
-    assert!(window::run(0.0, 1)[1].is_finite(), "the least radius is 1/64");
+    assert!(
+        window::run(0.0, 1)[1].is_finite(),
+        "the least radius is 1/64"
+    );
 }
 
 #[test]

@@ -47,8 +47,16 @@ if (!Number.isNaN(web.number(1e6))) throw "a number beyond the last";
 /// The program as a page has it; `None` where it cannot be built or run.
 fn program() -> Option<PathBuf> {
     let root = Path::new(env!("CARGO_MANIFEST_DIR"));
-    let target = ["--print", "target-libdir", "--target", "wasm32-unknown-unknown"];
-    let library = Command::new("rustc").args(target).current_dir(root).output();
+    let target = [
+        "--print",
+        "target-libdir",
+        "--target",
+        "wasm32-unknown-unknown",
+    ];
+    let library = Command::new("rustc")
+        .args(target)
+        .current_dir(root)
+        .output();
     let library = String::from_utf8(library.ok()?.stdout).unwrap();
     if !Path::new(library.trim()).is_dir() {
         println!("not compared: the compiler has no standard library for the web");
@@ -58,9 +66,16 @@ fn program() -> Option<PathBuf> {
         println!("not compared: there is no node");
         return None;
     }
-    let build = Command::new(env!("CARGO")).args(BUILD.split_whitespace()).current_dir(root).output();
+    let build = Command::new(env!("CARGO"))
+        .args(BUILD.split_whitespace())
+        .current_dir(root)
+        .output();
     let built = build.unwrap();
-    assert!(built.status.success(), "{}", String::from_utf8_lossy(&built.stderr));
+    assert!(
+        built.status.success(),
+        "{}",
+        String::from_utf8_lossy(&built.stderr)
+    );
     let messages = String::from_utf8(built.stdout).unwrap();
     let mut words = messages.split('"');
     let found = words.find(|word| word.ends_with("halfdisk_figures.wasm"));
@@ -70,7 +85,8 @@ fn program() -> Option<PathBuf> {
 #[test]
 fn a_page_has_the_same_numbers_bit_for_bit() {
     let Some(program) = program() else { return };
-    let handle = |[low, high]: [f64; 2], i: u32| low + (high - low) * f64::from(i) / f64::from(INPUTS - 1);
+    let handle =
+        |[low, high]: [f64; 2], i: u32| low + (high - low) * f64::from(i) / f64::from(INPUTS - 1);
     let mut inputs = String::new();
     for (name, range, _) in LISTS {
         for i in 0..INPUTS {
@@ -87,23 +103,38 @@ fn a_page_has_the_same_numbers_bit_for_bit() {
     let native: Vec<Vec<f64>> = LISTS
         .into_par_iter()
         .flat_map(|(_, range, list)| {
-            (0..INPUTS).into_par_iter().map(move |i| list(handle(range, i), i))
+            (0..INPUTS)
+                .into_par_iter()
+                .map(move |i| list(handle(range, i), i))
         })
         .collect();
     let output = node.join().unwrap().unwrap();
-    assert!(output.status.success(), "{}", String::from_utf8_lossy(&output.stderr));
+    assert!(
+        output.status.success(),
+        "{}",
+        String::from_utf8_lossy(&output.stderr)
+    );
 
     let bytes = fs::read(answers).unwrap();
-    let mut read = bytes.chunks_exact(8).map(|b| f64::from_le_bytes(b.try_into().unwrap()));
+    let mut read = bytes
+        .chunks_exact(8)
+        .map(|b| f64::from_le_bytes(b.try_into().unwrap()));
     for (k, list) in native.iter().enumerate() {
         let (name, i) = (LISTS[k / INPUTS as usize].0, k % INPUTS as usize);
         assert_eq!(read.next(), Some(list.len() as f64), "{name}, input {i}");
         for (place, x) in list.iter().enumerate() {
             let y = read.next().unwrap();
             assert!(!x.is_nan(), "{name}, input {i}, number {place}");
-            assert_eq!(x.to_bits(), y.to_bits(), "{name}, input {i}, number {place}: {x} and {y}");
+            assert_eq!(
+                x.to_bits(),
+                y.to_bits(),
+                "{name}, input {i}, number {place}: {x} and {y}"
+            );
         }
     }
     assert_eq!(read.next(), None);
-    println!("{} bytes as WebAssembly", fs::metadata(program).unwrap().len());
+    println!(
+        "{} bytes as WebAssembly",
+        fs::metadata(program).unwrap().len()
+    );
 }

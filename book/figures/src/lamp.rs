@@ -25,10 +25,15 @@ pub const RAYS: u32 = 24;
 pub fn law(half_angle: f64) -> Vec<f64> {
     let lamp = Overhead::new(within(half_angle, HALF_ANGLE));
     let variances = WAYS.map(|way| lamp.variance(way));
-    [&[lamp.mean()], &variances[..], &[lamp.bound(), lamp.oracle()]].concat()
+    [
+        &[lamp.mean()],
+        &variances[..],
+        &[lamp.bound(), lamp.oracle()],
+    ]
+    .concat()
 }
 
-/// For each of [`WAYS`] mean and standard error of the floor's radiance; then [`RAYS`] angles of directions by chance,
+/// For each of [`WAYS`] mean and standard error of the floor's radiance, and the variance of one sample; then [`RAYS`] angles of directions by chance,
 /// and as many of directions to the lamp, in radians from the normal.
 pub fn run(half_angle: f64, seed: u32) -> Vec<f64> {
     let lamp = Overhead::new(within(half_angle, HALF_ANGLE));
@@ -39,7 +44,7 @@ pub fn run(half_angle: f64, seed: u32) -> Vec<f64> {
     let mut numbers = Vec::new();
     for way in WAYS {
         let read: Estimate = (0..SAMPLES).map(|i| lamp.estimate(way, pair(i))).collect();
-        numbers.extend([read.mean(), read.std_error()]);
+        numbers.extend([read.mean(), read.std_error(), read.variance()]);
     }
     numbers.extend((0..RAYS).map(|i| lamp.sample_chance(pair(i)[0])));
     numbers.extend((0..RAYS).map(|i| lamp.sample_aim(pair(i)[1])));

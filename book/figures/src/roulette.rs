@@ -48,5 +48,8 @@ pub fn run(survival: f64, seed: u32) -> Vec<f64> {
     let runs: Vec<Estimate> = (0..RUNS).map(run).collect();
     let all = runs.iter().fold(Estimate::new(), |all, run| all.merge(run));
     let claimed = runs.iter().map(Estimate::variance);
-    [all.mean(), all.std_error()].into_iter().chain(claimed).collect()
+    [all.mean(), all.std_error()]
+        .into_iter()
+        .chain(claimed)
+        .collect()
 }

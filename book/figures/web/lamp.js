@@ -17,8 +17,9 @@ figure("lamp", {
     draw(view, numbers, angle, seed, curves) {
         const law = numbers.lamp_law(angle);
         const read = numbers.lamp(angle, seed);
-        const [chance, chanceError, aiming, aimingError, both, bothError] = read;
-        const angles = read.slice(8);
+        const ways = Array.from({ length: 4 }, (_, i) => read.slice(3 * i, 3 * i + 3));
+        const [chance, aiming, both] = ways.map(([mean, error]) => withError(mean, error));
+        const angles = read.slice(12);
         const half = angles.length / 2;
         const on = (theta, radius) => [radius * Math.sin(theta), radius * Math.cos(theta)];
         const plot = view.drawing([-1.5, 1.5], [-0.1, 1.3], "directions, and where the lamp is");
@@ -39,7 +40,7 @@ figure("lamp", {
         const chart = view.chart(x, new Scale([1e-8, 1e3], true), "what one sample costs");
         chart.axes("half angle, radians", "variance / squared mean");
         const relative = (law, i) => law[i + 1] / law[0] ** 2;
-        const ways = [
+        const lines = [
             ["chance", "blue", 8, -8],
             ["aiming", "vermillion", 12, 8],
             ["balance", "green", 8, -8],
@@ -47,17 +48,18 @@ figure("lamp", {
             ["bound", "grey", 8, -8],
             ["oracle", "grey", 12, 12],
         ];
-        for (const [i, [name, colour, dx, dy]] of ways.entries()) {
+        for (const [i, [name, colour, dx, dy]] of lines.entries()) {
             const shown = curves.filter(([, law]) => relative(law, i) >= 1e-8);
             chart.line(shown.map(([a, law]) => [a, relative(law, i)]), colour, i < 4 ? "bold" : "dashed");
             const [a, first] = shown[name === "oracle" ? 6 : 0];
             chart.text([a, relative(first, i)], name, { anchor: "start", colour: `${colour} halo`, dx, dy });
-            if (i < 4) chart.dot([angle, Math.max(1e-8, relative(law, i))], colour, 4.5);
+            // A variance of none, where no sample met the lamp, lies at the lower edge.
+            if (i < 4) chart.dot([angle, Math.max(1e-8, ways[i][2] / law[0] ** 2)], colour, 4.5);
         }
         return {
             read:
-                `The floor sends out sin a = ${say(law[0])}. 400 samples read ${withError(chance, chanceError)} by chance, ` +
-                `${withError(aiming, aimingError)} by aiming, and ${withError(both, bothError)} by both with the balance heuristic.`,
+                `The floor sends out sin a = ${say(law[0])}. 400 samples read ${chance} by chance, ${aiming} by aiming, and ${both} by ` +
+                "both with the balance heuristic.",
             handle: [plot, on(angle, 1.15)],
         };
     },

@@ -121,13 +121,22 @@ fn replace(file: &Path, text: &str) -> Result<(), String> {
 
 /// The program of the figures; `None` where the compiler has no standard library for the web.
 fn program(book: &Path) -> Result<Option<Vec<u8>>, String> {
-    let target = ["--print", "target-libdir", "--target", "wasm32-unknown-unknown"];
+    let target = [
+        "--print",
+        "target-libdir",
+        "--target",
+        "wasm32-unknown-unknown",
+    ];
     let library = answer(Command::new("rustc").args(target).current_dir(book))?;
     if !Path::new(library.trim()).is_dir() {
         return Ok(None);
     }
     let cargo = std::env::var_os("CARGO").unwrap_or_else(|| "cargo".into());
-    let messages = answer(Command::new(cargo).args(BUILD.split_whitespace()).current_dir(book))?;
+    let messages = answer(
+        Command::new(cargo)
+            .args(BUILD.split_whitespace())
+            .current_dir(book),
+    )?;
     let file = artifact(&messages).ok_or("cargo names no program of the live figures")?;
     let program = fs::read(&file).map_err(|error| format!("cannot read {file}: {error}"))?;
     Ok(Some(program))
@@ -191,7 +200,11 @@ pub mod tests {
         let page = "<figure data-live=\"path\"></figure>";
         let call = "\n\n<script defer src=\"figures.js\"></script>\n";
         assert_eq!(live(true).call(Path::new("a.md"), page), call);
-        assert!(live(true).call(Path::new("b/a.md"), page).contains("\"../figures.js\""));
+        assert!(
+            live(true)
+                .call(Path::new("b/a.md"), page)
+                .contains("\"../figures.js\"")
+        );
         assert_eq!(live(true).call(Path::new("a.md"), "<figure></figure>"), "");
         assert_eq!(live(false).call(Path::new("a.md"), page), "");
     }
@@ -225,7 +238,10 @@ pub mod tests {
         let messages = "{\"reason\":\"compiler-artifact\",\"filenames\":[\"/t/libglam.rlib\"]}\n\
                         {\"reason\":\"compiler-artifact\",\"filenames\":[\"/t/halfdisk_figures.wasm\"]}\n\
                         {\"reason\":\"build-finished\",\"success\":true}\n";
-        assert_eq!(artifact(messages).as_deref(), Some("/t/halfdisk_figures.wasm"));
+        assert_eq!(
+            artifact(messages).as_deref(),
+            Some("/t/halfdisk_figures.wasm")
+        );
         assert_eq!(artifact("no message"), None);
     }
 }
