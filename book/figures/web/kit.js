@@ -23,10 +23,9 @@ function say(x, digits = 3) {
     return rounded.toFixed(Math.min(decimals, 8)).replace("-", "−");
 }
 
-/** A number with two digits of its standard error. */
+/** A number with two digits of its standard error. Where no sample differs from the others, none is known. */
 function withError(x, error) {
-    if (!Number.isFinite(error)) return `${say(x)} ± unknown`;
-    if (error === 0) return say(x, 4);
+    if (!Number.isFinite(error) || error === 0) return `${say(x)} ± unknown`;
     const decimals = Math.max(0, 1 - Math.floor(Math.log10(error)));
     return `${x.toFixed(decimals).replace("-", "−")} ± ${error.toFixed(decimals)}`;
 }
