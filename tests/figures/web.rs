@@ -25,8 +25,9 @@ const LISTS: [List; 11] = [
 const INPUTS: u32 = 1000;
 
 /// What the book's tool asks cargo for.
-const BUILD: &str = "rustc --profile web --target wasm32-unknown-unknown --package halfdisk-figures --lib \
-                     --crate-type cdylib --quiet --message-format=json-render-diagnostics";
+const BUILD: &str = "--config book/figures/web.toml rustc --release --target wasm32-unknown-unknown \
+                     --package halfdisk-figures --lib --crate-type cdylib --quiet \
+                     --message-format=json-render-diagnostics";
 
 /// Calls the lists that the second file names, and writes each as its length and its numbers to the third.
 const NODE: &str = r#"
@@ -66,11 +67,12 @@ fn program() -> Option<PathBuf> {
         println!("not compared: there is no node");
         return None;
     }
-    let build = Command::new(env!("CARGO"))
+    let built = Command::new(env!("CARGO"))
         .args(BUILD.split_whitespace())
+        .env("CARGO_INCREMENTAL", "0")
         .current_dir(root)
-        .output();
-    let built = build.unwrap();
+        .output()
+        .unwrap();
     assert!(
         built.status.success(),
         "{}",

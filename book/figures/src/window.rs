@@ -10,7 +10,7 @@ use halfdisk::stats::Estimate;
 use std::f64::consts::PI;
 
 /// The radius of the window, in metres.
-pub const RADIUS: [f64; 2] = [1.0 / 64.0, 1.5];
+pub const RADIUS: [f64; 2] = [1.0 / 64.0, 1.0];
 /// Walks of each run, and independent runs.
 pub const WALKS: u32 = 2000;
 const RUNS: u32 = 8;

@@ -24,6 +24,7 @@ figure("darts", {
             board.dot(thrown.slice(i, i + 2), thrown[i + 2] > 0 ? "blue" : "vermillion", 2);
         }
         const chart = view.chart(new Scale(this.range, true), new Scale([2.6, 3.7]), "one run, ± two standard errors");
+        chart.y.step = 0.2;
         chart.axes("darts", "estimate of π");
         const above = run.map(([n, pi, e]) => [n, pi + 2 * e]);
         const below = run.map(([n, pi, e]) => [n, pi - 2 * e]);

@@ -31,7 +31,7 @@ figure("half-disk", {
         panel("as rows: the transpose", ends.slice(half));
         return {
             read:
-                `The right matrix reads ${withError(right, rightError)} (exactly ${say(rightExact)}). The transpose reads ` +
+                `The right matrix reads ${withError(right, rightError)} (exactly ${rightExact}). The transpose reads ` +
                 `${withError(wrong, wrongError)} (exactly cos² ${Math.round(tilt)}° = ${say(wrongExact)}), ` +
                 `and ${Math.round(100 * below)} % of its rays go below the surface.`,
             handle: [first, n.map((x) => 1.2 * x)],

@@ -10,9 +10,10 @@ function figure(name, parts) {
     figures[name] = parts;
 }
 
-/** Three digits, and no exponent where it can be helped. */
+/** Three digits, and no exponent where it can be helped. What only rounding tells from 0 is 0. */
 function say(x, digits = 3) {
     if (!Number.isFinite(x)) return x > 0 ? "∞" : "unknown";
+    if (Math.abs(x) < 1e-12) return "0";
     const rounded = Number(x.toPrecision(digits));
     const plain = rounded === 0 || (Math.abs(rounded) >= 1e-4 && Math.abs(rounded) < 1e6);
     if (!plain) {
@@ -178,9 +179,14 @@ class View {
         return [column * (this.part + 24), this.tall];
     }
 
+    /** The height of a part: less on a narrow page, where another may stand below it. */
+    height(narrow) {
+        return this.width < TWO_COLUMNS ? narrow : 300;
+    }
+
     /** A part true to scale: as large as fits. */
     drawing([left, right], [low, high], title) {
-        const scale = Math.min(this.part / (right - left), 300 / (high - low));
+        const scale = Math.min(this.part / (right - left), this.height(210) / (high - low));
         const [width, height] = [scale * (right - left), scale * (high - low)];
         const [x, y] = this.corner(height + 28);
         return this.add([x + (this.part - width) / 2, y + 28, width, height], new Scale([left, right]), new Scale([low, high]), title);
@@ -188,7 +194,7 @@ class View {
 
     /** A part with axes. */
     chart(x, y, title) {
-        const height = this.columns === 1 && this.width < TWO_COLUMNS ? 240 : 300;
+        const height = this.height(240);
         const [left, top] = this.corner(height + 28);
         return this.add([left + 62, top + 28, this.part - 76, height - 44], x, y, title);
     }
@@ -205,7 +211,7 @@ class View {
  * A figure that computes. `parts` are:
  *
  * - `label`, `range`, `log`, `steps`, `start`, `words(value)`: the handle;
- * - `random`: whether another run, with another seed, shows something else;
+ * - `random`: whether another run, with another seed, shows something else; `seed`: the first, if not 1;
  * - `columns`: how many parts stand beside each other;
  * - `prepare(numbers, seed)`: what only another run changes;
  * - `draw(view, numbers, value, seed, prepared)`: draws, and returns what to `read` and where the `handle` is, as its plot
@@ -214,13 +220,13 @@ class View {
  */
 class Live {
     constructor(place, parts, numbers) {
-        Object.assign(this, { place, parts, numbers, seed: 1 });
+        Object.assign(this, { place, parts, numbers });
         this.scale = new Scale(parts.range, parts.log);
         const id = `live-${place.dataset.live}`;
         this.stage = document.createElement("div");
         this.stage.className = "live-stage";
         this.stage.innerHTML = `
-            <svg role="img" aria-labelledby="${id}-reading"><g></g><circle class="handle" r="9"/></svg>
+            <svg role="img" aria-labelledby="${id}-reading"><g></g><circle class="handle" r="7"/></svg>
             <div class="live-handle">
                 <label for="${id}">${parts.label}</label>
                 <input type="range" id="${id}" min="0" max="${parts.steps}" step="1">
@@ -257,7 +263,7 @@ class Live {
 
     reset() {
         this.input.value = Math.round(this.scale.place(this.parts.start) * this.parts.steps);
-        this.run(1);
+        this.run(this.parts.seed ?? 1);
     }
 
     run(seed) {

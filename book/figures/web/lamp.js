@@ -42,16 +42,16 @@ figure("lamp", {
         const relative = (law, i) => law[i + 1] / law[0] ** 2;
         const lines = [
             ["chance", "blue", 8, -8],
-            ["aiming", "vermillion", 12, 8],
+            ["aiming", "vermillion", -54, -4],
             ["balance", "green", 8, -8],
             ["power", "purple", 8, 12],
             ["bound", "grey", 8, -8],
-            ["oracle", "grey", 12, 12],
+            ["oracle", "grey", 10, 8],
         ];
         for (const [i, [name, colour, dx, dy]] of lines.entries()) {
             const shown = curves.filter(([, law]) => relative(law, i) >= 1e-8);
             chart.line(shown.map(([a, law]) => [a, relative(law, i)]), colour, i < 4 ? "bold" : "dashed");
-            const [a, first] = shown[name === "oracle" ? 6 : 0];
+            const [a, first] = shown[{ aiming: 7, oracle: 12 }[name] ?? 0];
             chart.text([a, relative(first, i)], name, { anchor: "start", colour: `${colour} halo`, dx, dy });
             // A variance of none, where no sample met the lamp, lies at the lower edge.
             if (i < 4) chart.dot([angle, Math.max(1e-8, ways[i][2] / law[0] ** 2)], colour, 4.5);

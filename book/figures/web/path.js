@@ -4,9 +4,11 @@ figure("path", {
     label: "segment",
     range: [1, 6],
     steps: 5,
-    start: 3,
+    start: 4,
     words: (segment) => String(Math.round(segment)),
     random: true,
+    // A path that takes its time.
+    seed: 19,
     columns: 2,
     draw(view, numbers, value, seed) {
         const segment = Math.round(value);
@@ -25,8 +27,9 @@ figure("path", {
         for (const [i, [fromX, fromY, toX, toY, emitted, beta]] of vertices.entries()) {
             room.line([[fromX, fromY], [toX, toY]], i === 0 ? "ink" : "blue", "bold");
             room.dot([toX, toY], emitted > 0 ? "orange" : "blue");
-            const middle = [(fromX + toX) / 2, (fromY + toY) / 2];
-            room.text(middle, `β = ${say(beta)}`, { colour: "ink halo" });
+            // Not in the middle, where segments cross.
+            const at = [0.6 * fromX + 0.4 * toX, 0.6 * fromY + 0.4 * toY];
+            room.text(at, `β = ${say(beta)}`, { colour: "ink halo" });
         }
         room.dot(vertices[0].slice(0, 2), "ink", 4.5, "hollow");
 
@@ -45,11 +48,11 @@ figure("path", {
             chart.line(column(beta), "blue");
         }
         const [emitted, beta] = vertices[segment - 1].slice(4);
-        const where = emitted > 0 ? "on the ceiling, which shines: it brings" : "on a dark wall, and brings";
+        const where = emitted > 0 ? `on the ceiling, which shines: it brings β × ${emitted} = ${say(beta * emitted)}` : "on a dark wall";
         return {
             read:
-                `Segment ${segment} ends ${where} β × ${say(emitted, 2)} = ${say(beta * emitted)}. So far the path brings ` +
-                `${say(soFar)}, all of it ${say(all)}. The mean of 2000 paths is ${withError(mean, error)}, the truth ${say(exact, 4)}.`,
+                `Segment ${segment} ends ${where}. So far the path brings ${say(soFar)}, all of it ${say(all)}. The mean of 2000 ` +
+                `paths is ${withError(mean, error)}, the truth ${say(exact, 4)}.`,
             handle: [chart, [segment, beta]],
         };
     },

@@ -2,9 +2,9 @@
 
 figure("window", {
     label: "radius",
-    range: [1 / 64, 1.5],
+    range: [1 / 64, 1],
     log: true,
-    steps: 80,
+    steps: 60,
     start: 0.25,
     words: (radius) => `${say(radius)} m`,
     random: true,
@@ -38,7 +38,7 @@ figure("window", {
         chart.line(curve((row) => row[2]), "blue", "dashed");
         chart.line(curve((row) => row[1] + row[2]), "ink", "bold");
         chart.text([0.02, 0.3], "variance", { anchor: "start", colour: "blue halo" });
-        chart.text([1.4, 0.3], "bias²", { anchor: "end", colour: "green halo" });
+        chart.text([0.95, 0.3], "bias²", { anchor: "end", colour: "green halo" });
         chart.measured(radius, squared, squaredError, "vermillion");
         const bias = (mean - 1) ** 2;
         return {

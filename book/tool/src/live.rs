@@ -17,8 +17,9 @@ use crate::figures;
 /// The file of the script among the sources.
 const SCRIPT: &str = "figures.js";
 /// What cargo is asked for: the numbers of the figures as a program for the web, and where it is.
-const BUILD: &str = "rustc --profile web --target wasm32-unknown-unknown --package halfdisk-figures --lib \
-                     --crate-type cdylib --quiet --message-format=json-render-diagnostics";
+const BUILD: &str = "--config book/figures/web.toml rustc --release --target wasm32-unknown-unknown \
+                     --package halfdisk-figures --lib --crate-type cdylib --quiet \
+                     --message-format=json-render-diagnostics";
 /// What all figures share, in the folder of their scripts.
 const KIT: &str = "kit";
 
@@ -121,22 +122,24 @@ fn replace(file: &Path, text: &str) -> Result<(), String> {
 
 /// The program of the figures; `None` where the compiler has no standard library for the web.
 fn program(book: &Path) -> Result<Option<Vec<u8>>, String> {
-    let target = [
+    let root = book.join("..");
+    let mut asked = Command::new("rustc");
+    asked.args([
         "--print",
         "target-libdir",
         "--target",
         "wasm32-unknown-unknown",
-    ];
-    let library = answer(Command::new("rustc").args(target).current_dir(book))?;
+    ]);
+    let library = answer(asked.current_dir(&root))?;
     if !Path::new(library.trim()).is_dir() {
         return Ok(None);
     }
-    let cargo = std::env::var_os("CARGO").unwrap_or_else(|| "cargo".into());
-    let messages = answer(
-        Command::new(cargo)
-            .args(BUILD.split_whitespace())
-            .current_dir(book),
-    )?;
+    let mut cargo = Command::new(std::env::var_os("CARGO").unwrap_or_else(|| "cargo".into()));
+    // What is optimised as a whole is not compiled piece by piece.
+    cargo
+        .args(BUILD.split_whitespace())
+        .env("CARGO_INCREMENTAL", "0");
+    let messages = answer(cargo.current_dir(&root))?;
     let file = artifact(&messages).ok_or("cargo names no program of the live figures")?;
     let program = fs::read(&file).map_err(|error| format!("cannot read {file}: {error}"))?;
     Ok(Some(program))
