@@ -34,8 +34,10 @@ figure("roulette", {
             const [at, start] = curve[0];
             chart.text([at, start], `albedo ${albedo}`, { anchor: "start", colour: `${colours[i]} halo`, dx: 8, dy: i === 0 ? -8 : 6 });
         }
-        for (const claimed of runs) {
-            chart.dot([q, Math.max(low, (claimed * segments) / mean ** 2)], "ink", 3.5, "hollow");
+        // Side by side, so that they show beside the handle where they agree.
+        for (const [i, claimed] of runs.entries()) {
+            const aside = 0.006 * (i - (runs.length - 1) / 2);
+            chart.dot([q + aside, Math.max(low, (claimed * segments) / mean ** 2)], "ink", 3, "hollow");
         }
         const claim = !Number.isFinite(variance)
             ? "The variance is infinite, so this error bar means nothing."
