@@ -86,7 +86,7 @@ fn a_number_goes_to_the_angle_whose_distribution_function_it_is() {
 
 #[test]
 fn a_path_brings_the_share_of_each_emission_and_on_average_the_truth() {
-    let mean = over_seeds(25, |seed| {
+    let mean = over_seeds(49, |seed| {
         let numbers = path::run(6.0, seed);
         [numbers[2], numbers[3]]
     });
