@@ -17,7 +17,7 @@ pub const SEGMENT: [f64; 2] = [1.0, 6.0];
 /// Longest path behind the mean, in segments: what is cut off is below `2^-24` of the light.
 const MAX_DEPTH: u32 = 24;
 /// Paths behind the mean.
-const PATHS: u32 = 2000;
+const PATHS: u32 = 1000;
 /// Points of a lobe.
 pub const LOBE: u32 = 33;
 

@@ -51,7 +51,7 @@ figure("path", {
         const where = emitted > 0 ? `on the ceiling, which shines: it brings β × ${emitted} = ${say(beta * emitted)}` : "on a dark wall";
         return {
             read:
-                `Segment ${segment} ends ${where}. So far the path brings ${say(soFar)}, all of it ${say(all)}. The mean of 2000 ` +
+                `Segment ${segment} ends ${where}. So far the path brings ${say(soFar)}, all of it ${say(all)}. The mean of 1000 ` +
                 `paths is ${withError(mean, error)}, the truth ${say(exact, 4)}.`,
             handle: [chart, [segment, beta]],
         };
