@@ -246,6 +246,8 @@ class Live {
         this.stage.addEventListener("keydown", (event) => event.stopPropagation());
         find(".reset").addEventListener("click", () => this.reset());
         find(".again")?.addEventListener("click", () => this.run(this.seed + 1));
+        // A finger on the handle drags it, and not the page.
+        this.knob.addEventListener("touchstart", (event) => event.preventDefault(), { passive: false });
         this.knob.addEventListener("pointerdown", (event) => {
             this.knob.setPointerCapture(event.pointerId);
             event.preventDefault();
