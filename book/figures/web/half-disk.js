@@ -25,7 +25,7 @@ figure("half-disk", {
             plot.line([across(-1.3), across(1.3)], "ink", "bold");
             plot.line([[0, 0], n.map((x) => 1.2 * x)], "ink");
             // Beside the normal, where the handle does not hide it.
-            plot.text(n.map((x) => 1.08 * x), "n", { dx: -16 * n[1], dy: 16 * n[0] });
+            plot.text(n.map((x) => 1.08 * x), "n", { colour: "ink halo", dx: -16 * n[1], dy: 16 * n[0] });
             return plot;
         };
         const first = panel("tangent and normal as columns", ends.slice(0, half));
