@@ -18,6 +18,7 @@ mod cost;
 mod determinism;
 mod effects;
 mod exposure;
+mod figures;
 mod film;
 mod flatland;
 mod gather;

@@ -168,6 +168,7 @@ fn files_and_chapters_stay_short() {
         ("src", LONGEST_FILE),
         ("tests", LONGEST_FILE),
         ("examples", LONGEST_FILE),
+        ("book/figures/src", LONGEST_FILE),
         ("book/tool/src", LONGEST_FILE),
     ] {
         for path in files(&root().join(folder), "rs") {

@@ -9,7 +9,6 @@ use halfdisk::lab::estimators::{hit_or_miss, many_dimensions};
 use halfdisk::lab::experiment::convergence::{Convergence, Design, converge};
 use halfdisk::lab::experiment::named;
 use halfdisk::lab::figures::convergence_chart;
-use halfdisk::sampling::stream::{Purpose, Stream};
 use halfdisk::stats::z_test::Largest;
 use std::f64::consts::{FRAC_PI_2, PI};
 
@@ -29,14 +28,12 @@ pub fn darts(desk: &mut Desk) -> Result<(), DeskError> {
 const THROWN: u32 = 400;
 
 fn board(seed: u64) -> Result<(String, u32), ChartError> {
-    let mut u = Stream::new(seed, 0, 0).at(0, Purpose::Integrand);
     let mut hits = 0;
     let edge = |from, to| Stroke::new(StrokeKind::Outline, from, to);
     let [o, a, b, c] = [[0.0, 0.0], [1.0, 0.0], [1.0, 1.0], [0.0, 1.0]];
     let mut strokes = vec![edge(o, a), edge(a, b), edge(b, c), edge(c, o)];
-    for _ in 0..THROWN {
-        let [x, y] = u.two().map(f64::from);
-        let hit = x * x + y * y <= 1.0;
+    for ([x, y], score) in hit_or_miss::thrown(THROWN, seed) {
+        let hit = score > 0.0;
         hits += u32::from(hit);
         let kind = if hit {
             StrokeKind::Hit

@@ -1,6 +1,6 @@
 //! The charts of this chapter: errors that stay, variances that never settle, and a wall.
 
-use crate::furnace::{ALBEDO, game, walk};
+use crate::furnace::{ALBEDO, game};
 use crate::survival::Game;
 use halfdisk::lab::chapter::{Desk, DeskError};
 use halfdisk::lab::drawing::{Axis, Curve, CurveChart, Style};
@@ -22,7 +22,7 @@ pub fn plateau(desk: &mut Desk) -> Result<u64, DeskError> {
                 let mut mean = Estimate::new();
                 for i in 0..walks {
                     let stream = Stream::new(seed ^ 0xa5, i, 100 * k + 10_000 * run);
-                    let (value, segments) = walk(&game, &stream);
+                    let (value, segments) = game.walk(&stream);
                     rays += segments;
                     mean.add(value);
                 }
@@ -72,7 +72,7 @@ pub fn running(desk: &mut Desk) -> Result<u64, DeskError> {
             let game = game(percent);
             let (mut seen, mut rays, mut points) = (Estimate::new(), 0, Vec::new());
             for i in 0..1_u32 << doublings {
-                let (value, segments) = walk(&game, &Stream::new(seed, i, 200 + percent));
+                let (value, segments) = game.walk(&Stream::new(seed, i, 200 + percent));
                 rays += segments;
                 seen.add(value);
                 if i >= 31 && (i + 1).is_power_of_two() {

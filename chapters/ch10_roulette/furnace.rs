@@ -1,9 +1,9 @@
 //! What the furnace reads: cut, by roulette, clamped.
 
 use crate::survival::Game;
-use halfdisk::integrators::{Kajiya, Roulette, Survival};
+use halfdisk::integrators::Kajiya;
 use halfdisk::lab::chapter::{Desk, Number};
-use halfdisk::lab::estimators::worlds::{Counted, Furnace};
+use halfdisk::lab::estimators::worlds::Furnace;
 use halfdisk::sampling::stream::Stream;
 use halfdisk::space::Flat;
 use halfdisk::stats::Estimate;
@@ -23,17 +23,6 @@ pub fn game(percent: u32) -> Game {
         albedo: ALBEDO,
         survival: f64::from(percent) / 100.0,
     }
-}
-
-/// The value of one walk, and its segments.
-pub fn walk(game: &Game, stream: &Stream) -> (f64, u64) {
-    let albedo = game.albedo as f32;
-    let mut room = Counted::new(Furnace { albedo });
-    let roulette = Roulette {
-        survival: Survival::Constant(game.survival as f32),
-    };
-    let li = roulette.walk::<Flat>(&mut room, &Furnace::eye(), stream);
-    (f64::from(li.r), room.rays)
 }
 
 /// The share of the light that a depth cut loses.
@@ -78,7 +67,7 @@ pub fn survivals(desk: &mut Desk) -> Played {
             let mut found = [Estimate::new(); 3];
             let mut rays = 0;
             for i in 0..walks {
-                let (value, segments) = walk(&game, &Stream::new(seed, i, percent));
+                let (value, segments) = game.walk(&Stream::new(seed, i, percent));
                 rays += segments;
                 found[0].add(value);
                 found[1].add((value - game.mean()).powi(2));
@@ -102,7 +91,7 @@ pub fn survivals(desk: &mut Desk) -> Played {
         );
         let variance = Number::new(&says("variance"), square.mean());
         let variance = Number {
-            error: settles(&game).then(|| square.std_error()),
+            error: game.settles().then(|| square.std_error()),
             exact: known.then(|| game.variance()),
             ..variance
         };
@@ -116,7 +105,7 @@ pub fn survivals(desk: &mut Desk) -> Played {
             Some(exact),
         );
         let per_walk = *rays as f64 / f64::from(walks);
-        if settles(&game) {
+        if game.settles() {
             let scale = per_walk / (game.mean() * game.mean());
             let price = (
                 game.survival,
@@ -143,17 +132,12 @@ pub fn survivals(desk: &mut Desk) -> Played {
     }
 }
 
-/// True where walks have a fourth moment, so that a measured variance settles.
-fn settles(game: &Game) -> bool {
-    game.albedo.powi(4) < game.survival.powi(3)
-}
-
 /// What is left of the mean where no walk may be worth more than a bound.
 pub fn clamps(desk: &mut Desk) {
     let (walks, game) = (desk.choose(150_000, 50_000), game(65));
     for most in [10.0, 30.0, 100.0] {
         let one = |i| {
-            walk(&game, &Stream::new(desk.options.seed, i, 300))
+            game.walk(&Stream::new(desk.options.seed, i, 300))
                 .0
                 .min(most)
         };
@@ -187,7 +171,7 @@ pub fn needed(desk: &mut Desk) {
     let squares: Vec<f64> = (0..runs)
         .into_par_iter()
         .map(|run| {
-            let one = |i| walk(&game, &Stream::new(seed, i, 1000 + run)).0;
+            let one = |i| game.walk(&Stream::new(seed, i, 1000 + run)).0;
             let mean: Estimate = (0..walks as u32).map(one).collect();
             (mean.mean() / game.mean() - 1.0).powi(2)
         })

@@ -5,6 +5,11 @@
 //! with probability `qᴷ (1 - q)`. The mean of `S` is `1 / (1 - ρ)` for every `q`; its variance is
 //! not the same for every `q`, nor finite for every `q`.
 
+use halfdisk::integrators::{Roulette, Survival};
+use halfdisk::lab::estimators::worlds::{Counted, Furnace};
+use halfdisk::sampling::stream::Stream;
+use halfdisk::space::Flat;
+
 /// Roulette with a constant survival in a furnace.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Game {
@@ -33,6 +38,11 @@ impl Game {
     }
     // ANCHOR_END: variance
 
+    /// True where walks have a fourth moment, so that a measured variance settles.
+    pub fn settles(&self) -> bool {
+        self.albedo.powi(4) < self.survival.powi(3)
+    }
+
     /// The mean number of segments of a walk, `1 / (1 - q)`.
     pub fn rays(&self) -> f64 {
         1.0 / (1.0 - self.survival)
@@ -41,6 +51,17 @@ impl Game {
     /// Variance times rays: the price of certainty.
     pub fn price(&self) -> f64 {
         self.variance() * self.rays()
+    }
+
+    /// The value of one walk, and its segments.
+    pub fn walk(&self, stream: &Stream) -> (f64, u64) {
+        let albedo = self.albedo as f32;
+        let mut room = Counted::new(Furnace { albedo });
+        let roulette = Roulette {
+            survival: Survival::Constant(self.survival as f32),
+        };
+        let li = roulette.walk::<Flat>(&mut room, &Furnace::eye(), stream);
+        (f64::from(li.r), room.rays)
     }
 
     /// The mean of `f` over walks that survive fewer than `surfaces`; longer ones count as zero.

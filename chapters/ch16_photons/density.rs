@@ -1,7 +1,8 @@
 //! Counting photons in a window: what is gained and lost with its size, at its edges, and by the nearest.
 
-use super::landing::{LAMP, first_photons, flat_world};
+use super::landing::flat_world;
 use super::scene;
+use super::window::{LAMP, first_photons, window};
 use glam::{Vec2, Vec3};
 use halfdisk::integrators::Photons;
 use halfdisk::lab::chapter::{Desk, DeskError, Number};
@@ -33,18 +34,6 @@ pub fn work(desk: &mut Desk) -> Result<(), DeskError> {
     }
     Ok(())
 }
-
-// ANCHOR: parts
-/// What a window of this radius reads in the mean at the foot of the lamp, where the truth is 1;
-/// and the variance of it.
-fn window(radius: f64, walks: u32) -> (f64, f64) {
-    // The share of the lamp's light that falls into the window, times its power 2 π.
-    let share = libm::atan(radius) / PI;
-    let over = 2.0 * PI / (2.0 * radius);
-    let variance = share * (1.0 - share) / f64::from(walks);
-    (share * over, variance * over * over)
-}
-// ANCHOR_END: parts
 
 /// The variance of what three windows read, against the number of photons.
 fn variance(desk: &mut Desk) -> Result<(), DeskError> {

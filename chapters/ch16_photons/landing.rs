@@ -1,9 +1,9 @@
 //! Where photons land: on a line, where they can be counted by hand, and on the floor under a ball of glass.
 
 use super::scene;
+use super::window::{LAMP, first_photons};
 use halfdisk::flatland::{FlatWorld, gallery};
 use halfdisk::integrators::Photons;
-use halfdisk::integrators::world::FlatTracer;
 use halfdisk::lab::chapter::{Desk, DeskError};
 use halfdisk::lab::drawing::{Bounds, Circle, Dot, HALF, Label, RayDrawing, Stroke, StrokeKind};
 use halfdisk::lab::figures::flat;
@@ -13,26 +13,9 @@ use halfdisk::scene::Tracer;
 use halfdisk::scene::read::Source;
 use halfdisk::space::Flat;
 
-/// A lamp at height 1 over a floor; its power is such that the floor below it gets 1 W/m.
-pub const LAMP: &str = "name = 'lamp'\nwindow = { min = [-1.6, -0.25], max = [1.6, 1.2] }\n\
-    [[objects]]\nalbedo = 0.5\nsegment = { from = [-4, 0], to = [4, 0] }\n\
-    [[lamps]]\npoint = { position = [0, 1], power = 6.283185307179586 }\n";
-
 /// A flat world of this chapter.
 pub fn flat_world(file: &'static str, text: &str) -> Result<FlatWorld, DeskError> {
     Ok(gallery::from_text(Source { file, text })?)
-}
-
-/// The photons that so many walks leave where they land first.
-pub fn first_photons(world: &FlatWorld, walks: u32, seed: u64, run: u32) -> Vec<Photon<Flat>> {
-    let by = Photons::in_space::<Flat>(2);
-    let mut tracer = FlatTracer::new(world);
-    let mut found = Vec::new();
-    for walk in 0..walks {
-        let stream = Stream::new(seed, walk, run);
-        by.trace(&mut tracer, 0.0, &stream, &mut |photon| found.push(photon));
-    }
-    found
 }
 
 pub fn work(desk: &mut Desk) -> Result<(), DeskError> {

@@ -12,6 +12,7 @@ mod landing;
 mod rates;
 mod sweep;
 mod unseen;
+mod window;
 
 use halfdisk::lab::chapter::{Chapter, Desk, DeskError};
 use halfdisk::lab::ledger::Ledger;

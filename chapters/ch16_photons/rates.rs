@@ -1,7 +1,8 @@
 //! How fast noise and blur fall when each pass has smaller discs.
 
-use super::landing::{LAMP, flat_world};
+use super::landing::flat_world;
 use super::scene;
+use super::window::LAMP;
 use glam::{Vec2, Vec3};
 use halfdisk::integrators::Photons;
 use halfdisk::integrators::world::{FlatTracer, PhotonWorld};

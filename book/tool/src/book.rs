@@ -8,6 +8,7 @@ use crate::data::Run;
 use crate::directives::{self, Directive};
 use crate::edit::{Problem, rewrite};
 use crate::ledger::{self, PageLink};
+use crate::live::Live;
 use crate::{figures, includes, listings, maths, numbers, terms, typed};
 
 /// What every page is prepared with.
@@ -18,6 +19,8 @@ pub struct Preparation {
     pub shown_as: PathBuf,
     /// What the tour measured.
     pub run: Run,
+    /// The figures that compute.
+    pub live: Live,
 }
 
 impl Preparation {
@@ -68,7 +71,8 @@ impl Preparation {
         }));
         match rewrite(&page.content, edits) {
             Ok(text) => {
-                page.content = text;
+                let call = self.live.call(file, &text);
+                page.content = text + &call;
                 Vec::new()
             }
             Err(failures) => failures
@@ -104,6 +108,7 @@ impl Preparation {
             "number" => numbers::expand(arguments, &self.run),
             "figure" => block(directive, figures::expand(arguments, &self.run)?),
             "figures" => block(directive, figures::expand_row(arguments, &self.run)?),
+            "live" => block(directive, self.live.expand(arguments, &self.run)?),
             "ledger" => block(
                 directive,
                 ledger::expand(arguments, &self.run, links, file)?,
@@ -116,7 +121,7 @@ impl Preparation {
             "title" => Ok(source.to_string()),
             _ => Err(format!(
                 "unknown directive `{name}` (known: changes, figure, figures, include, ledger, \
-                 listing, number, rustdoc_include, title)"
+                 listing, live, number, rustdoc_include, title)"
             )),
         }
     }
@@ -135,12 +140,14 @@ fn block(directive: &Directive, html: String) -> Result<String, String> {
 mod tests {
     use super::*;
     use crate::data::tests::fixtures;
+    use crate::live::tests::live;
 
     fn prepared(pages: &[(&str, &str)]) -> Result<Vec<String>, Vec<String>> {
         let preparation = Preparation {
             sources: PathBuf::from(env!("CARGO_MANIFEST_DIR")).join("src"),
             shown_as: PathBuf::from("book/src"),
             run: fixtures(),
+            live: live(true),
         };
         let mut book = Book::new();
         for (file, text) in pages {
@@ -159,6 +166,13 @@ mod tests {
         assert!(written.starts_with("<math display=\"inline\"><mi>x</mi></math> is 4.\n\n<div"));
         assert!(written.ends_with("</div>\n\nEnd.\n{{#include edit.rs}}\n"));
         assert!(written.contains("<a href=\"ch01.md\">"));
+    }
+
+    #[test]
+    fn a_page_with_a_live_figure_ends_with_its_script() {
+        let written = prepared(&[("a.md", "{{#live path ch01/plot.svg}}\n\nEnd.\n")]).unwrap();
+        assert!(written[0].starts_with("<figure data-live=\"path\"><img"));
+        assert!(written[0].ends_with("End.\n\n\n<script defer src=\"figures.js\"></script>\n"));
     }
 
     #[test]
@@ -190,6 +204,7 @@ mod tests {
             sources: PathBuf::new(),
             shown_as: PathBuf::from("book/src"),
             run: fixtures(),
+            live: live(false),
         };
         let problems = preparation
             .prepare(&mut Book::new_with_items(vec![parent.into()]))

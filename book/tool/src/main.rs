@@ -14,6 +14,7 @@ mod figures;
 mod includes;
 mod ledger;
 mod listings;
+mod live;
 mod markup;
 mod maths;
 mod numbers;
@@ -28,6 +29,7 @@ use mdbook_preprocessor::PreprocessorContext;
 
 use book::Preparation;
 use data::Run;
+use live::Live;
 
 fn main() -> ExitCode {
     let mut arguments = std::env::args().skip(1);
@@ -69,8 +71,10 @@ fn preparation(context: &PreprocessorContext) -> Result<Preparation, String> {
         .unwrap_or_else(|| PathBuf::from("../out"));
     let sources = &context.config.book.src;
     let folder = context.root.file_name().unwrap_or_default();
+    let folder_of_pages = context.root.join(sources);
     Ok(Preparation {
-        sources: context.root.join(sources),
+        live: Live::build(&context.root, &folder_of_pages)?,
+        sources: folder_of_pages,
         shown_as: PathBuf::from(folder).join(sources),
         run: Run::load(context.root.join(data)),
     })

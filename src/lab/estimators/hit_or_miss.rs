@@ -20,6 +20,15 @@ pub fn darts(n: u32, seed: u64) -> Estimate {
 }
 // ANCHOR_END: darts
 
+/// Where the first `n` darts of [`darts`] land in the unit square, and what each scores: 4 or 0.
+pub fn thrown(n: u32, seed: u64) -> impl Iterator<Item = ([f64; 2], f64)> {
+    let mut u = numbers(seed);
+    (0..n).map(move |_| {
+        let at = u.two();
+        (at.map(f64::from), dart(at))
+    })
+}
+
 /// π as the mean of `4 √(1 - x²)`, the height of the disc over `n` random places.
 ///
 /// Variance of one place: `32/3 - π² = 0.7971`; darts need 3.3834 times as many.

@@ -36,6 +36,9 @@ pub enum Aim {
     Length,
 }
 
+/// Steps of Simpson's rule.
+const STEPS: i32 = 4000;
+
 /// How the lamp is found.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Technique {
@@ -141,14 +144,23 @@ impl Overhead {
 
     /// Variance of one estimate, by quadrature.
     pub fn variance(&self, technique: Technique) -> f64 {
+        // What a direction brings by each technique, and its densities: all integrals are made of these.
+        let at = |k| {
+            let theta = self.place(k);
+            let light = self.integrand(theta);
+            let found = self.weights(technique, theta).map(|w| w * light);
+            (found, self.pdf(theta))
+        };
+        let places: Vec<([f64; 2], [f64; 2])> = (0..=STEPS).map(at).collect();
         let part = |i: usize| {
-            let pdf = |theta| self.pdf(theta)[i];
-            let found = |theta| self.weights(technique, theta)[i] * self.integrand(theta);
-            let mean = self.integral(found);
+            let integral = |f: &dyn Fn(f64, f64) -> f64| {
+                self.simpson(places.iter().map(|(found, pdf)| f(found[i], pdf[i])))
+            };
+            let mean = integral(&|found, _| found);
             // A sample that misses the lamp finds nothing.
-            let misses = 1.0 - self.integral(pdf).min(1.0);
-            let spread = |theta| pdf(theta) * (found(theta) / pdf(theta) - mean).powi(2);
-            self.integral(spread) + misses * mean * mean
+            let misses = 1.0 - integral(&|_, pdf| pdf).min(1.0);
+            let spread = |found: f64, pdf: f64| pdf * (found / pdf - mean).powi(2);
+            integral(&spread) + misses * mean * mean
         };
         part(0) + part(1)
     }
@@ -170,18 +182,27 @@ impl Overhead {
 
     /// The integral over the directions to the lamp, by Simpson's rule.
     pub fn integral(&self, f: impl Fn(f64) -> f64) -> f64 {
-        const STEPS: i32 = 4000;
+        self.simpson((0..=STEPS).map(|k| f(self.place(k))))
+    }
+
+    /// The same from the values at all places of the rule.
+    fn simpson(&self, values: impl Iterator<Item = f64>) -> f64 {
         let step = 2.0 * self.half_angle / f64::from(STEPS);
-        let at = |k: i32| {
+        let weighted = (0..).zip(values).map(|(k, value)| {
             let factor = match k {
                 0 | STEPS => 1.0,
                 _ if k % 2 == 1 => 4.0,
                 _ => 2.0,
             };
-            // The middle is the symmetric one: no end falls beyond the lamp.
-            factor * f(self.half_angle * (2.0 * f64::from(k) / f64::from(STEPS) - 1.0))
-        };
-        (0..=STEPS).map(at).sum::<f64>() * step / 3.0
+            factor * value
+        });
+        weighted.sum::<f64>() * step / 3.0
+    }
+
+    /// A direction to the lamp, in radians from the normal, where Simpson's rule looks.
+    fn place(&self, k: i32) -> f64 {
+        // The middle is the symmetric one: no end falls beyond the lamp.
+        self.half_angle * (2.0 * f64::from(k) / f64::from(STEPS) - 1.0)
     }
 
     /// The same floor and lamp to walk in; the lamp is cut into parts that are seen at equal angles,
