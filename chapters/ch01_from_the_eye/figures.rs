@@ -10,7 +10,7 @@ use halfdisk::lab::drawing::{
     Style,
 };
 use halfdisk::numeric::sin_cos;
-use halfdisk::sampling::stream::{Purpose, Sampler, Stream};
+use halfdisk::sampling::stream::{Purpose, Stream};
 use halfdisk::scene::{Scene, gallery};
 use std::f32::consts::{PI, TAU};
 
@@ -57,7 +57,6 @@ pub fn finale(desk: &mut Desk) -> Result<u64, DeskError> {
                 Look at the shadows: they are blue, for only the sky lights them; and at the balls of mirror and glass, \
                 which are black where a further ray would have to go on.",
         spp: 16,
-        sampler: Sampler::Sobol,
         stops: 0.2,
     };
     let scene = gallery::load("courtyard")?;

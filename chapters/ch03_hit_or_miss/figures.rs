@@ -28,15 +28,21 @@ pub fn darts(desk: &mut Desk) -> Result<(), DeskError> {
 
 const THROWN: u32 = 400;
 
-fn board(seed: u64) -> Result<(String, u32), ChartError> {
+/// The darts of the drawing: where each falls in the unit square, and whether within the quarter circle.
+pub fn thrown(seed: u64) -> impl Iterator<Item = ([f64; 2], bool)> {
     let mut u = Stream::new(seed, 0, 0).at(0, Purpose::Integrand);
+    (0..THROWN).map(move |_| {
+        let [x, y] = u.two().map(f64::from);
+        ([x, y], x * x + y * y <= 1.0)
+    })
+}
+
+fn board(seed: u64) -> Result<(String, u32), ChartError> {
     let mut hits = 0;
     let edge = |from, to| Stroke::new(StrokeKind::Outline, from, to);
     let [o, a, b, c] = [[0.0, 0.0], [1.0, 0.0], [1.0, 1.0], [0.0, 1.0]];
     let mut strokes = vec![edge(o, a), edge(a, b), edge(b, c), edge(c, o)];
-    for _ in 0..THROWN {
-        let [x, y] = u.two().map(f64::from);
-        let hit = x * x + y * y <= 1.0;
+    for ([x, y], hit) in thrown(seed) {
         hits += u32::from(hit);
         let kind = if hit {
             StrokeKind::Hit

@@ -6,6 +6,7 @@
 
 mod compare;
 mod figures;
+mod finale;
 mod rate;
 mod split;
 
@@ -44,14 +45,15 @@ fn work(desk: &mut Desk) -> Result<Ledger, DeskError> {
     let (z_tree, rays_tree) = compare::tree_and_paths(desk)?;
     [z_room, z_tree].into_iter().for_each(|z| compared.add(z));
     let rays_split = compare::splitting(desk)?;
-    let side = desk.choose(160, 48);
+    let side = desk.choose(128, 48);
     let scene = gallery::load("cornell")?.sized([side; 2]);
     let rays_forty = figures::forty_paths(desk, &scene)?;
     let rays_noise = figures::noise(desk, desk.choose(6, 6))?;
     let rays_edge = figures::edge(desk)?;
     reach(desk)?;
+    let last = finale::work(desk)?;
     Ok(Ledger {
-        rays: rays_room + rays_tree + rays_split + rays_forty + rays_noise + rays_edge,
+        rays: rays_room + rays_tree + rays_split + rays_forty + rays_noise + rays_edge + last,
         variance: Some(variance),
         compared: Some(compared.into()),
         efficiency: Some(1.0 / (variance * f64::from(SEGMENTS))),

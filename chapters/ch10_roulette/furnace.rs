@@ -70,7 +70,7 @@ pub struct Played {
 
 /// Mean and variance of roulette.
 pub fn survivals(desk: &mut Desk) -> Played {
-    let (walks, seed) = (desk.choose(400_000, 100_000), desk.options.seed);
+    let (walks, seed) = (desk.choose(200_000, 100_000), desk.options.seed);
     let played: Vec<_> = PERCENT
         .into_par_iter()
         .map(|percent| {
@@ -182,7 +182,7 @@ pub fn needed(desk: &mut Desk) {
     let target = 0.01 * game.mean();
     let walks = (game.variance() / (target * target)).round();
     desk.value("needed", "survival 0.9: walks for an error of 1 %", walks);
-    let runs = desk.choose(1_000, 200);
+    let runs = desk.choose(500, 200);
     let seed = desk.options.seed;
     let squares: Vec<f64> = (0..runs)
         .into_par_iter()

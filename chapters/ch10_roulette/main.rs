@@ -5,6 +5,7 @@
 //! depth cut. Builds on: chapter 7 (one ray, not a tree).
 
 mod figures;
+mod finale;
 mod furnace;
 mod pictures;
 mod survival;
@@ -49,6 +50,7 @@ fn work(desk: &mut Desk) -> Result<Ledger, DeskError> {
     // A room, and a floor, where survival follows what a path carries.
     let picture = pictures::work(desk)?;
     dark_floor(desk)?;
+    rays += finale::work(desk)?;
 
     let game = Game {
         albedo: 0.8,

@@ -7,7 +7,6 @@ use halfdisk::lab::chapter::{Desk, DeskError, Finale};
 use halfdisk::lab::drawing::StrokeKind;
 use halfdisk::lab::figures::sketch::Sketch;
 use halfdisk::render::{Options, Rendered, render};
-use halfdisk::sampling::stream::Sampler;
 use halfdisk::scene::{Scene, gallery};
 
 /// A path in a room: where it aims, what it meets by chance, and where it may end.
@@ -98,7 +97,6 @@ pub fn finale(desk: &mut Desk) -> Result<u64, DeskError> {
                 caustic of the glass ball on the cloth, at the window in the gold, at the red that the wall lends the gold \
                 and the books, and at the chess board upside down in the glass.",
         spp: 16,
-        sampler: Sampler::Sobol,
         stops: 0.2,
     };
     // Small, for a tour: in its own size it takes minutes.

@@ -8,6 +8,7 @@ mod automaton;
 mod coverage;
 mod dictionary;
 mod figures;
+mod finale;
 
 use halfdisk::integrators::Path;
 use halfdisk::lab::chapter::{Chapter, Desk, DeskError, Number};
@@ -63,8 +64,9 @@ fn work(desk: &mut Desk) -> Result<Ledger, DeskError> {
 
     // What each integrator finds: said by the expressions, and measured.
     let (rays, compared) = coverage::work(desk)?;
+    let last = finale::work(desk)?;
     Ok(Ledger {
-        rays: spelt + drawn.rays + rays,
+        rays: spelt + drawn.rays + rays + last,
         variance: Some(drawn.variance),
         compared: Some(compared.into()),
         efficiency: Some(1.0 / (drawn.variance * drawn.per_sample)),

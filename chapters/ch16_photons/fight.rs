@@ -46,7 +46,7 @@ fn made(name: &str, scene: &Scene) -> Result<Box<dyn Integrator>, DeskError> {
 
 fn one(desk: &mut Desk, scene_name: &str, scene: &Scene, truth: &str) -> Result<u64, DeskError> {
     let mut rays = 0;
-    let spp = desk.choose(768, 256);
+    let spp = desk.choose(384, 192);
     let by = made(truth, scene)?;
     let mut half = |seed: u64| {
         let options = Options {
@@ -62,7 +62,7 @@ fn one(desk: &mut Desk, scene_name: &str, scene: &Scene, truth: &str) -> Result<
         }
     };
     let truth = Reference::new(&half(1)?, &half(2)?, spp);
-    let (doublings, replicates) = (desk.choose(7, 5), desk.choose(4, 3_u64));
+    let (doublings, replicates) = (desk.choose(6, 5), desk.choose(3, 3_u64));
     let mut courses = Vec::new();
     for name in METHODS {
         let by = made(name, scene)?;

@@ -3,7 +3,6 @@
 use halfdisk::integrators::Path;
 use halfdisk::lab::chapter::{Desk, DeskError, Finale};
 use halfdisk::lab::effects::plan::plan;
-use halfdisk::sampling::stream::Sampler;
 use halfdisk::scene::gallery;
 
 /// The plans of a courtyard and of the still life of chapter 12, and a picture of the first; the rays it took.
@@ -21,7 +20,6 @@ pub fn work(desk: &mut Desk) -> Result<u64, DeskError> {
                 ball of glass; at the tint of the tiles on the walls above them; and at the mirror ball, which shows what \
                 lies behind you.",
         spp: 32,
-        sampler: Sampler::Sobol,
         stops: 0.2,
     };
     let path = Path::new(scene.suggested.max_depth);
