@@ -93,14 +93,13 @@ pub fn pictures(desk: &mut Desk) -> Result<u64, DeskError> {
 pub fn finale(desk: &mut Desk) -> Result<u64, DeskError> {
     let finale = Finale {
         file: "final.png",
-        title: "A still life by the path tracer. The sun falls through one window and the sky through another. Look at the \
-                caustic of the glass ball on the cloth, at the window in the gold, at the red that the wall lends the gold \
-                and the books, and at the chess board upside down in the glass.",
+        title: "A still life in the light of one window, by the path tracer. Look at the window in the chrome, and its blur \
+                in the gold; at the bright spot that the ball of glass throws on the cloth; at the red that the wall lends \
+                the gold; and at the cloth, upside down in the glass.",
         spp: 16,
         stops: 0.2,
     };
-    // Small, for a tour: in its own size it takes minutes.
-    let scene = gallery::load("final")?.sized([360, 270]);
+    let scene = gallery::load("final")?;
     let path = Path::new(scene.suggested.max_depth);
     Ok(desk.finale(&scene, &path, &finale)?.rays.total())
 }
