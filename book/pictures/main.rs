@@ -28,51 +28,51 @@ const FILES: [(&str, &str, u32, &str); 8] = [
     (
         "mine",
         include_str!("../../examples/recipes/mine.toml"),
-        32,
+        16,
         "The scene above: one clay for the ball and the ground, and a square light overhead, out of view.",
     ),
     (
         "flask",
         include_str!("../../examples/recipes/flask.toml"),
-        32,
+        16,
         "Two round flasks before a striped wall. The left one is full of water and turns what is behind it \
          about; the right one is empty and hardly bends a ray.",
     ),
     (
         "tumbler",
         include_str!("../../examples/recipes/tumbler.toml"),
-        32,
+        16,
         "A square tumbler, half full of water. The stripes break where the water begins.",
     ),
     (
         "bubble",
         include_str!("../../examples/recipes/bubble.toml"),
-        32,
+        16,
         "A ball of glass with a bubble in it. The ball turns the stripes about, and the bubble turns them back.",
     ),
     (
         "sun",
         include_str!("../../examples/recipes/sun.toml"),
-        32,
+        16,
         "A sun of the right size and a blue sky. Edges of shadows are sharp near what casts them, and shadows are \
          blue, for only the sky lights them.",
     ),
     (
         "window",
         include_str!("../../examples/recipes/window.toml"),
-        32,
+        16,
         "A room that is lit by its window alone.",
     ),
     (
         "metals",
         include_str!("../../examples/recipes/metals.toml"),
-        64,
+        24,
         "From the left: silver, aluminium, gold, copper and iron, from smooth to rough.",
     ),
     (
         "bulb",
         include_str!("../../examples/recipes/bulb.toml"),
-        32,
+        16,
         "100 W of light from a ball of radius 0.1 m.",
     ),
 ];

@@ -11,7 +11,7 @@ use halfdisk::lab::drawing::{
 pub const FINALE: Finale = Finale {
     file: "image.png",
     title: "A glass, a mirror and a diffuse sphere, by shadow, mirror and glass rays alone.",
-    spp: 16,
+    spp: 6,
     stops: 0.0,
 };
 

@@ -9,7 +9,7 @@ pub fn work(desk: &mut Desk) -> Result<u64, DeskError> {
         title: "White bodies between coloured screens, by the path tracer. Look at the shaded sides: the ball on the \
                 left is red where it faces the red screen, the one in the middle is yellow from below, and the block \
                 on the right has a blue side.",
-        spp: 48,
+        spp: 32,
         stops: 0.3,
     };
     desk.finale_of("bleeding.toml", include_str!("bleeding.toml"), &finale)

@@ -106,7 +106,7 @@ fn picture(desk: &Desk, scene: &Scene, depth: u32) -> Result<Rendered, DeskError
         recipe: Recipe::Cosine,
     };
     let options = Options {
-        spp: desk.spp(4, 2),
+        spp: desk.spp(3, 2),
         seed: desk.options.seed,
         ..Options::default()
     };

@@ -46,12 +46,12 @@ fn work(desk: &mut Desk) -> Result<Ledger, DeskError> {
     let scene = gallery::load("mixture")?;
     let max_depth = scene.suggested.max_depth;
     let which = |choice| WhichRay { max_depth, choice };
-    let whole = picture(desk, &scene, &which(Choice::ByMean), desk.spp(16, 2), seed)?;
+    let whole = picture(desk, &scene, &which(Choice::ByMean), desk.spp(12, 2), seed)?;
     let caption = "Three materials in the corners, each two halved between them, all three in the \
                    middle.";
     desk.picture("image.png", caption, &whole.film, &scene)?;
     let first = figures::FirstChoice(which(Choice::ByMean));
-    let map = picture(desk, &scene, &first, desk.spp(8, 4), seed)?;
+    let map = picture(desk, &scene, &first, desk.spp(6, 4), seed)?;
     let caption = "How often the first ray chosen is diffuse (orange), specular (blue), transmitted \
                    (green).";
     desk.picture("choices.png", caption, &map.film, &scene)?;

@@ -70,7 +70,7 @@ pub struct Played {
 
 /// Mean and variance of roulette.
 pub fn survivals(desk: &mut Desk) -> Played {
-    let (walks, seed) = (desk.choose(200_000, 100_000), desk.options.seed);
+    let (walks, seed) = (desk.choose(120_000, 80_000), desk.options.seed);
     let played: Vec<_> = PERCENT
         .into_par_iter()
         .map(|percent| {

@@ -71,7 +71,7 @@ pub fn idea(desk: &mut Desk) -> Result<(), DeskError> {
 pub fn pictures(desk: &mut Desk) -> Result<u64, DeskError> {
     let side = desk.choose(128, 32);
     let scene = gallery::load("spheres")?.sized([side; 2]);
-    let spp = desk.spp(16, 8);
+    let spp = desk.spp(10, 8);
     let by_path = picture(desk, &scene, Path::ENTRY, spp)?;
     let mut rays = by_path.rays.total();
     for (name, entry) in [
@@ -96,7 +96,7 @@ pub fn finale(desk: &mut Desk) -> Result<u64, DeskError> {
         title: "A still life in the light of one window, by the path tracer. Look at the window in the chrome, and its blur \
                 in the gold; at the bright spot that the ball of glass throws on the cloth; at the red that the wall lends \
                 the gold; and at the cloth, upside down in the glass.",
-        spp: 16,
+        spp: 12,
         stops: 0.2,
     };
     let scene = gallery::load("final")?;

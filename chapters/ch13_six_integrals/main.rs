@@ -90,8 +90,9 @@ fn work(desk: &mut Desk) -> Result<Ledger, DeskError> {
     let once = picture(desk, &scene, &[], 1)?;
     let text = "All six with one sample: noise, and right in the mean.";
     desk.picture("once.png", text, &once.film, &scene)?;
-    let all = picture(desk, &scene, &[], desk.spp(16, 2))?;
-    desk.picture("all.png", "All six with 16 samples.", &all.film, &scene)?;
+    let all_six = format!("All six with {} samples.", desk.spp(12, 2));
+    let all = picture(desk, &scene, &[], desk.spp(12, 2))?;
+    desk.picture("all.png", &all_six, &all.film, &scene)?;
     cost(desk, "none", &none);
     let variance = cost(desk, "all", &all);
     desk.value("variance_sum", "variances one by one, added up", sum);

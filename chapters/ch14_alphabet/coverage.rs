@@ -50,7 +50,7 @@ pub fn work(desk: &mut Desk) -> Result<(u64, Largest), DeskError> {
 }
 
 fn load(desk: &Desk, change: impl FnOnce(&mut Description)) -> Result<Scene, DeskError> {
-    let side = desk.choose(32, 16);
+    let side = desk.choose(24, 16);
     Ok(gallery::load_with("spheres", change)?.sized([side; 2]))
 }
 

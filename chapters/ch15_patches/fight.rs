@@ -84,7 +84,7 @@ fn room(desk: &mut Desk, name: &str, scene: &Scene) -> Result<u64, DeskError> {
         }
     };
     let path = Path::new(depth);
-    let spp = desk.choose(96, 48);
+    let spp = desk.choose(64, 48);
     let halves = [film(&path, spp, 1)?, film(&path, spp, 2)?];
     let truth = Reference::new(&halves[0].film, &halves[1].film, spp);
     let pixels = f64::from(scene.size[0] * scene.size[1]);
@@ -121,7 +121,7 @@ fn room(desk: &mut Desk, name: &str, scene: &Scene) -> Result<u64, DeskError> {
             patches: &patches,
             path,
         },
-        desk.choose(256, 96),
+        desk.choose(160, 96),
         3,
     )?;
     let fought = Fought {

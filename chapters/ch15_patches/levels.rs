@@ -68,8 +68,8 @@ pub fn work(desk: &mut Desk) -> Result<u64, DeskError> {
     desk.number("point_off", off.unit("%"));
 
     let design = Design {
-        replicates: desk.choose(96, 64),
-        doublings: desk.choose(11, 8),
+        replicates: desk.choose(64, 64),
+        doublings: desk.choose(10, 8),
         first: 4,
         seed,
     };

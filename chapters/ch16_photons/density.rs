@@ -50,7 +50,7 @@ fn window(radius: f64, walks: u32) -> (f64, f64) {
 fn variance(desk: &mut Desk) -> Result<(), DeskError> {
     let world = flat_world("lamp.toml", LAMP)?;
     let design = Design {
-        replicates: desk.choose(200, 64),
+        replicates: desk.choose(100, 64),
         doublings: desk.choose(7, 5),
         first: 128,
         seed: desk.options.seed,

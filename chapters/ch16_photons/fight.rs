@@ -235,7 +235,7 @@ fn chart(desk: &mut Desk, scene: &str, courses: &[Course]) -> Result<(), DeskErr
 /// The caustic by all three, in the same time.
 fn strip(desk: &mut Desk, scene: &Scene) -> Result<(), DeskError> {
     let scene = scene.clone().sized(desk.choose([120; 2], [40; 2]));
-    let seconds = desk.choose(0.8, 0.1);
+    let seconds = desk.choose(0.5, 0.1);
     for (name, look) in METHODS.into_iter().zip([
         "Look at the single bright specks: each is a walk that found the lamp through the glass by chance.",
         "Fine grain, and a sharp rim.",

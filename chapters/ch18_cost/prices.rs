@@ -37,7 +37,7 @@ pub fn work(desk: &mut Desk) -> Result<Prices, DeskError> {
     let design = Design {
         replicates: desk.choose(6, 6),
         sizes: 3,
-        budget: Budget::Rays(desk.choose(90_000, 60_000)),
+        budget: Budget::Rays(desk.choose(70_000, 50_000)),
         reference: 16,
         threads: None,
         seed: desk.options.seed,

@@ -13,7 +13,7 @@ pub fn work(desk: &mut Desk) -> Result<u64, DeskError> {
         let says = format!("effects that {name} asks for");
         desk.value(&format!("asks_of_{name}"), &says, asks as f64);
     }
-    let scene = gallery::load("courtyard")?;
+    let scene = gallery::load("courtyard")?.sized([512, 288]);
     let finale = Finale {
         file: "courtyard.png",
         title: "A courtyard at noon. Look at the blue of the shadows, which only the sky lights; at the caustic behind the \

@@ -55,8 +55,8 @@ pub fn work(desk: &mut Desk) -> Result<Drawn, DeskError> {
                    one kind of light here that is still found by chance.";
     desk.picture("image.png", caption, &whole.film, &scene)?;
 
-    let scene = load(ROOM, desk.choose([96; 2], [32; 2]))?;
-    let spp = desk.spp(8, 8);
+    let scene = load(ROOM, desk.choose([72; 2], [32; 2]))?;
+    let spp = desk.spp(16, 8);
     let all = paint(desk, &scene, spp, &path)?;
     let total = all.film.mean().0;
     let mut rays = whole.rays.total() + all.rays.total();
