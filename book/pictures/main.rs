@@ -66,7 +66,7 @@ const FILES: [(&str, &str, u32, &str); 8] = [
     (
         "metals",
         include_str!("../../examples/recipes/metals.toml"),
-        24,
+        16,
         "From the left: silver, aluminium, gold, copper and iron, from smooth to rough.",
     ),
     (

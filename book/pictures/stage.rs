@@ -29,7 +29,7 @@ const MATERIALS: [(&str, &str, u32, &str); 9] = [
     (
         "glass",
         "glass = { ior = 1.5 }",
-        24,
+        16,
         "the floor upside down, the light mirrored twice, and a caustic",
     ),
     (
@@ -47,7 +47,7 @@ const MATERIALS: [(&str, &str, u32, &str); 9] = [
     (
         "mixture",
         "mixture = { kd = [0.5, 0.15, 0.1], ks = 0.2, kt = 0.2 }",
-        24,
+        16,
         "a diffuse colour, a sharp reflection, and some of the floor behind",
     ),
     (
@@ -105,7 +105,7 @@ const LIGHTS: [(&str, &str, u32, &str); 6] = [
     (
         "image",
         "[environment]\nimage = \"dusk.hdr\"",
-        24,
+        16,
         "an evening sky with a low sun, 64 x 32 pixels",
     ),
 ];

@@ -57,7 +57,7 @@ pub fn finale(desk: &mut Desk) -> Result<u64, DeskError> {
         title: "A courtyard by rays from the eye: each meets a surface, and looks from there to the sun, and at random for the sky. \
                 Look at the shadows: they are blue, for only the sky lights them; and at the balls of mirror and glass, \
                 which are black where a further ray would have to go on.",
-        spp: 16,
+        spp: 32,
         stops: 0.2,
     };
     let scene = gallery::load("courtyard")?.sized([512, 288]);

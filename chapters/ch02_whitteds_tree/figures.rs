@@ -10,7 +10,8 @@ use halfdisk::lab::drawing::{
 /// The picture of the chapter.
 pub const FINALE: Finale = Finale {
     file: "image.png",
-    title: "A glass, a mirror and a diffuse sphere, by shadow, mirror and glass rays alone.",
+    title: "A glass, a mirror and a diffuse sphere, by shadow, mirror and glass rays alone. Look into the \
+            shadows: they are black.",
     spp: 6,
     stops: 0.0,
 };

@@ -25,7 +25,7 @@ pub fn work(desk: &mut Desk) -> Result<u64, DeskError> {
         title: "The darts of the drawing as beads on a board, by the path tracer of chapter 12. Each sample of a pixel is a dart, \
                 too: the picture is the mean of many, and its error falls like that of pi. Look at the shadows of the beads, where \
                 a sample sees the lamp or not, like a dart that hits or misses.",
-        spp: 24,
+        spp: 32,
         stops: 0.7,
     };
     desk.finale_of("beads.toml", &text, &finale)

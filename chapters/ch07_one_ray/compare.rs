@@ -41,7 +41,7 @@ pub fn tree_and_paths(desk: &mut Desk) -> Result<(f64, u64), DeskError> {
         recipe: Recipe::Cosine,
     };
     let paths = NextEvent { max_depth: 4 };
-    let spp = desk.choose(5, 2);
+    let spp = desk.choose(4, 2);
     let tree = picture(desk, &scene, &tree, spp, 0)?;
     // As many paths as the same rays buy; a few tell how many rays a path has.
     let few = picture(desk, &scene, &paths, 4, 1)?;

@@ -9,7 +9,7 @@ pub fn work(desk: &mut Desk) -> Result<u64, DeskError> {
         title: "White steps by the path tracer, with roulette from the fifth segment on. Look at the sides of the \
                 steps that no lamp shines on: their light has bounced several times, and a depth cut would darken \
                 them.",
-        spp: 24,
+        spp: 32,
         stops: 0.5,
     };
     desk.finale_of("steps.toml", include_str!("steps.toml"), &finale)

@@ -150,7 +150,7 @@ fn settles(game: &Game) -> bool {
 
 /// What is left of the mean where no walk may be worth more than a bound.
 pub fn clamps(desk: &mut Desk) {
-    let (walks, game) = (desk.choose(150_000, 50_000), game(65));
+    let (walks, game) = (desk.choose(80_000, 50_000), game(65));
     for most in [10.0, 30.0, 100.0] {
         let one = |i| {
             walk(&game, &Stream::new(desk.options.seed, i, 300))

@@ -71,7 +71,7 @@ fn work(desk: &mut Desk) -> Result<Ledger, DeskError> {
 
 /// Between white walls nothing is ever lost, and a walk ends all the same.
 fn endless(desk: &mut Desk) {
-    let walks = desk.choose(100_000, 10_000);
+    let walks = desk.choose(50_000, 10_000);
     let roulette = Roulette {
         survival: Survival::Throughput(0.05),
     };

@@ -74,7 +74,7 @@ fn work(desk: &mut Desk) -> Result<Ledger, DeskError> {
     compared.add(cone.z(PI / 4.0));
 
     // The same scene without any integral, with each alone, and with all.
-    let scene = gallery::load("six")?.sized(desk.choose([320, 240], [160, 120]));
+    let scene = gallery::load("six")?.sized(desk.choose([280, 210], [160, 120]));
     let none = picture(desk, &scene, Integral::NONE, 1)?;
     let text = "No integral: jagged edges, hard shadows, all in focus.";
     desk.picture("none.png", text, &none.film, &scene)?;

@@ -9,7 +9,7 @@ pub fn work(desk: &mut Desk) -> Result<u64, DeskError> {
         title: "A room in which every class of light has its place, by the path tracer. Look at the lamp in the \
                 mirror ball (LS+E), at the block (LDE), at the bright spot below the glass (LS+DE), and at the red \
                 on the left side of the block (LDDE).",
-        spp: 16,
+        spp: 32,
         stops: 0.3,
     };
     desk.finale_of("room.toml", include_str!("room.toml"), &finale)

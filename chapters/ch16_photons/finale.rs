@@ -9,7 +9,7 @@ pub fn work(desk: &mut Desk) -> Result<u64, DeskError> {
         title: "Caustics of one lamp without extent, by path tracing with paths from the lamp: a bright spot behind each ball \
                 of glass, and the light that the mirror throws on the table. Look into the mirror and through the glass: \
                 there the spots are missing, and only photons would show them.",
-        spp: 16,
+        spp: 32,
         stops: 0.7,
     };
     desk.finale_of("evening.toml", include_str!("evening.toml"), &finale)

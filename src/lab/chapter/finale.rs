@@ -4,6 +4,7 @@ use super::{Desk, DeskError, Number};
 use crate::integrators::{Integrator, Path};
 use crate::output::{Display, Provenance, png_bytes};
 use crate::render::accuracy::{Accuracy, Measure};
+use crate::render::stopping::fewest;
 use crate::render::{Options, Rendered, render};
 use crate::sampling::stream::Sampler;
 use crate::scene::read::Source;
@@ -71,8 +72,13 @@ impl Desk {
         // Where no noise was seen, no error is known.
         if error.is_finite() {
             let name = finale.file.trim_end_matches(".png");
+            // Few samples that lie evenly only bound their error.
+            let most = match options.spp < fewest(options.sampler) {
+                true => "at most, ",
+                false => "",
+            };
             let error = Number::new(
-                &format!("error of {}, by its own account", finale.file),
+                &format!("error of {}, {most}by its own account", finale.file),
                 (100.0 * error).round() / 100.0,
             );
             self.number(&format!("error_of_{name}"), error.unit("%"));
