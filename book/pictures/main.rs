@@ -89,7 +89,7 @@ fn work(desk: &mut Desk) -> Result<Ledger, DeskError> {
     stage::work(desk, &mut drawn)?;
     desk.value(
         "worst",
-        "largest error of any of these pictures, %",
+        "bound on the largest error of any of these pictures, %",
         drawn.worst,
     );
     desk.value("pictures", "pictures", f64::from(drawn.count));
@@ -128,7 +128,8 @@ impl Drawn {
         let error = percent(&rendered);
         desk.value(
             &format!("error_{name}"),
-            &format!("{name}: error of the picture, %"),
+            // So few even samples only bound it.
+            &format!("{name}: error of the picture, at most, %"),
             error,
         );
         desk.picture(&format!("{name}.png"), caption, &rendered.film, &scene)?;
