@@ -28,51 +28,51 @@ const FILES: [(&str, &str, u32, &str); 8] = [
     (
         "mine",
         include_str!("../../examples/recipes/mine.toml"),
-        16,
+        32,
         "The scene above: one clay for the ball and the ground, and a square light overhead, out of view.",
     ),
     (
         "flask",
         include_str!("../../examples/recipes/flask.toml"),
-        16,
+        32,
         "Two round flasks before a striped wall. The left one is full of water and turns what is behind it \
          about; the right one is empty and hardly bends a ray.",
     ),
     (
         "tumbler",
         include_str!("../../examples/recipes/tumbler.toml"),
-        16,
+        32,
         "A square tumbler, half full of water. The stripes break where the water begins.",
     ),
     (
         "bubble",
         include_str!("../../examples/recipes/bubble.toml"),
-        16,
+        32,
         "A ball of glass with a bubble in it. The ball turns the stripes about, and the bubble turns them back.",
     ),
     (
         "sun",
         include_str!("../../examples/recipes/sun.toml"),
-        16,
+        32,
         "A sun of the right size and a blue sky. Edges of shadows are sharp near what casts them, and shadows are \
          blue, for only the sky lights them.",
     ),
     (
         "window",
         include_str!("../../examples/recipes/window.toml"),
-        16,
+        32,
         "A room that is lit by its window alone.",
     ),
     (
         "metals",
         include_str!("../../examples/recipes/metals.toml"),
-        16,
+        64,
         "From the left: silver, aluminium, gold, copper and iron, from smooth to rough.",
     ),
     (
         "bulb",
         include_str!("../../examples/recipes/bulb.toml"),
-        16,
+        32,
         "100 W of light from a ball of radius 0.1 m.",
     ),
 ];
@@ -89,7 +89,7 @@ fn work(desk: &mut Desk) -> Result<Ledger, DeskError> {
     stage::work(desk, &mut drawn)?;
     desk.value(
         "worst",
-        "bound on the largest error of any of these pictures, %",
+        "largest error of any of these pictures, %",
         drawn.worst,
     );
     desk.value("pictures", "pictures", f64::from(drawn.count));
@@ -128,8 +128,7 @@ impl Drawn {
         let error = percent(&rendered);
         desk.value(
             &format!("error_{name}"),
-            // So few even samples only bound it.
-            &format!("{name}: error of the picture, at most, %"),
+            &format!("{name}: error of the picture, %"),
             error,
         );
         desk.picture(&format!("{name}.png"), caption, &rendered.film, &scene)?;

@@ -17,25 +17,25 @@ const MATERIALS: [(&str, &str, u32, &str); 9] = [
     (
         "lambert",
         "lambert = { albedo = [0.7, 0.3, 0.2] }",
-        16,
+        32,
         "one shade for each angle to the light, from wherever one looks",
     ),
     (
         "mirror",
         "mirror = { reflectance = 0.9 }",
-        16,
+        32,
         "the floor and the light, once each",
     ),
     (
         "glass",
         "glass = { ior = 1.5 }",
-        16,
+        32,
         "the floor upside down, the light mirrored twice, and a caustic",
     ),
     (
         "glossy",
         "glossy = { reflectance = [1, 0.78, 0.34], roughness = 0.2 }",
-        16,
+        32,
         "the light is blurred to a highlight",
     ),
     (
@@ -47,25 +47,25 @@ const MATERIALS: [(&str, &str, u32, &str); 9] = [
     (
         "mixture",
         "mixture = { kd = [0.5, 0.15, 0.1], ks = 0.2, kt = 0.2 }",
-        16,
+        48,
         "a diffuse colour, a sharp reflection, and some of the floor behind",
     ),
     (
         "smooth",
         "glossy = { reflectance = 0.9, roughness = 0.05 }",
-        16,
+        32,
         "roughness 0.05",
     ),
     (
         "middling",
         "glossy = { reflectance = 0.9, roughness = 0.2 }",
-        16,
+        32,
         "roughness 0.2",
     ),
     (
         "rough",
         "glossy = { reflectance = 0.9, roughness = 0.5 }",
-        16,
+        32,
         "roughness 0.5",
     ),
 ];
@@ -75,37 +75,37 @@ const LIGHTS: [(&str, &str, u32, &str); 6] = [
     (
         "quad",
         "[[objects]]\nemits = 12\nquad = { corner = [-2.6, 3.2, -0.6], u = [1.6, 0, 0], v = [0, 0, 1.6] }",
-        16,
+        32,
         "a wide light, and a shadow with a wide edge",
     ),
     (
         "sphere",
         "[[objects]]\nemits = 60\nsphere = { center = [-2, 3, 1], radius = 0.3 }",
-        16,
+        32,
         "a smaller light, and a narrower edge",
     ),
     (
         "point",
         "[[lights]]\npoint = { position = [-2, 3, 1], intensity = 18 }",
-        16,
+        32,
         "no size: a sharp edge",
     ),
     (
         "directional",
         "[[lights]]\ndirectional = { direction = [2, -3, -1], irradiance = 2.5 }",
-        16,
+        32,
         "from very far away: as bright everywhere",
     ),
     (
         "sky",
         "[environment]\nradiance = [0.5, 0.65, 0.9]",
-        16,
+        32,
         "from all sides: shade only where ball and floor meet",
     ),
     (
         "image",
         "[environment]\nimage = \"dusk.hdr\"",
-        16,
+        64,
         "an evening sky with a low sun, 64 x 32 pixels",
     ),
 ];
