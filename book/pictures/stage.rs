@@ -29,7 +29,7 @@ const MATERIALS: [(&str, &str, u32, &str); 9] = [
     (
         "glass",
         "glass = { ior = 1.5 }",
-        64,
+        32,
         "the floor upside down, the light mirrored twice, and a caustic",
     ),
     (
@@ -47,7 +47,7 @@ const MATERIALS: [(&str, &str, u32, &str); 9] = [
     (
         "mixture",
         "mixture = { kd = [0.5, 0.15, 0.1], ks = 0.2, kt = 0.2 }",
-        64,
+        48,
         "a diffuse colour, a sharp reflection, and some of the floor behind",
     ),
     (

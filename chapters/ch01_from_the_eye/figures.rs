@@ -3,14 +3,15 @@
 
 use crate::prices::{Measured, Prices};
 use crate::two_ways::Traced;
-use halfdisk::integrators::Path;
+use halfdisk::integrators::Combine;
 use halfdisk::lab::chapter::{Desk, DeskError, Finale};
 use halfdisk::lab::drawing::{
     Axis, Bounds, ChartError, Curve, CurveChart, Dot, HALF, Label, RayDrawing, Stroke, StrokeKind,
     Style,
 };
 use halfdisk::numeric::sin_cos;
-use halfdisk::sampling::stream::{Purpose, Sampler, Stream};
+use halfdisk::sampling::mis::Heuristic;
+use halfdisk::sampling::stream::{Purpose, Stream};
 use halfdisk::scene::{Scene, gallery};
 use std::f32::consts::{PI, TAU};
 
@@ -53,15 +54,19 @@ pub fn pictures(
 pub fn finale(desk: &mut Desk) -> Result<u64, DeskError> {
     let finale = Finale {
         file: "courtyard.png",
-        title: "A courtyard by rays from the eye: each meets a surface, and looks from there to the sun or the sky. \
+        title: "A courtyard by rays from the eye: each meets a surface, and looks from there to the sun, and at random for the sky. \
                 Look at the shadows: they are blue, for only the sky lights them; and at the balls of mirror and glass, \
                 which are black where a further ray would have to go on.",
-        spp: 16,
-        sampler: Sampler::Sobol,
+        spp: 32,
         stops: 0.2,
     };
-    let scene = gallery::load("courtyard")?;
-    Ok(desk.finale(&scene, &Path::new(2), &finale)?.rays.total())
+    let scene = gallery::load("courtyard")?.sized([512, 288]);
+    // Direct light alone: a ray to the sun, and one in a random direction for the sky.
+    let direct = Combine {
+        max_depth: 2,
+        heuristic: Heuristic::Power,
+    };
+    Ok(desk.finale(&scene, &direct, &finale)?.rays.total())
 }
 
 /// The error of both ways against the number of rays.

@@ -60,7 +60,7 @@ fn work(desk: &mut Desk) -> Result<Ledger, DeskError> {
         pictures[0].rays as f64,
     );
     figures::pictures(desk, &scene, &pictures)?;
-    let [light, eye] = view.both(desk.choose(20_000, 4_000), seed);
+    let [light, eye] = view.both(desk.choose(5_000, 3_000), seed);
     let wasted = (light.rays - light.useful) as f64 / light.useful as f64;
     desk.value(
         "useful",
@@ -71,8 +71,8 @@ fn work(desk: &mut Desk) -> Result<Ledger, DeskError> {
     agreement(desk, &light, &eye);
 
     // What the same error costs either way, against a reference from other random numbers.
-    let reference = view.picture_by_eye(desk.choose(8_192, 2_048), seed + 1);
-    let (doublings, replicates) = desk.choose((5, 8), (3, 4));
+    let reference = view.picture_by_eye(desk.choose(4_096, 1_024), seed + 1);
+    let (doublings, replicates) = desk.choose((5, 3), (3, 3));
     let prices = prices::measure(&view, &reference.film, doublings, replicates, seed + 2);
     prices::record(desk, &prices);
     figures::chart(desk, &prices)?;

@@ -1,10 +1,19 @@
 //! The figures of this chapter: one pixel's tree, and how trees grow.
 
 use halfdisk::integrators::{Met, RayKind, RecordedRay, TreeCount, TreeRecord};
-use halfdisk::lab::chapter::{Desk, DeskError};
+use halfdisk::lab::chapter::{Desk, DeskError, Finale};
 use halfdisk::lab::drawing::{
     Axis, Bounds, ChartError, Circle, Curve, CurveChart, EdgeKind, Label, RayDrawing, Stroke,
     StrokeKind, Style, TreeDrawing, TreeNode,
+};
+
+/// The picture of the chapter.
+pub const FINALE: Finale = Finale {
+    file: "image.png",
+    title: "A glass, a mirror and a diffuse sphere, by shadow, mirror and glass rays alone. Look into the \
+            shadows: they are black.",
+    spp: 6,
+    stops: 0.0,
 };
 
 /// The pixel, as a film position: at the edge of the glass sphere, where some light comes by way of the mirror.

@@ -29,10 +29,9 @@ fn main() -> ExitCode {
 
 fn work(desk: &mut Desk) -> Result<Ledger, DeskError> {
     // The picture, and the tree of one of its pixels.
-    let scene = gallery::load("whitted")?.sized(desk.choose([640, 400], [320, 200]));
-    let picture = whole(desk, &scene, scene.suggested.max_depth)?;
-    let caption = "A glass, a mirror and a diffuse sphere, by shadow, mirror and glass rays alone.";
-    desk.picture("image.png", caption, &picture.film, &scene)?;
+    let scene = gallery::load("whitted")?.sized([640, 400]);
+    let max_depth = scene.suggested.max_depth;
+    let picture = desk.finale(&scene, &Whitted { max_depth }, &figures::FINALE)?;
     let mut record = TreeRecord::default();
     let [s, t] = figures::PIXEL;
     tree(&scene, scene.camera.ray(s, t), 7, &mut record);

@@ -25,7 +25,8 @@ pub fn darts(desk: &mut Desk) -> Result<(), DeskError> {
     desk.figure("darts.svg", &caption, svg)
 }
 
-const THROWN: u32 = 400;
+/// The darts of the drawing.
+pub const THROWN: u32 = 400;
 
 fn board(seed: u64) -> Result<(String, u32), ChartError> {
     let mut hits = 0;

@@ -5,6 +5,7 @@
 
 mod checks;
 mod figures;
+mod finale;
 
 use checks::{BATCHES, checked, coverage, relative, slope, spread};
 use halfdisk::lab::chapter::{Chapter, Desk, DeskError};
@@ -86,7 +87,7 @@ fn work(desk: &mut Desk) -> Result<Ledger, DeskError> {
 
     // The rate: error against samples, over independent repetitions.
     let design = Design {
-        replicates: desk.choose(512, 256),
+        replicates: desk.choose(256, 256),
         doublings: desk.choose(11, 9),
         first: 64,
         seed,
@@ -127,13 +128,19 @@ fn work(desk: &mut Desk) -> Result<Ledger, DeskError> {
     compared.add(checked(desk, "worse", says, found));
 
     // The same number of points in 1 to 8 dimensions, on a grid and by chance.
-    let replicates = desk.choose(256, 64);
+    let replicates = desk.choose(128, 64);
     let (by_dimension, spent) = figures::dimensions(desk, POINTS, replicates)?;
+    let last = finale::work(desk)?;
     let samples = curves.iter().flat_map(|run| &run.sizes);
     let rate: u64 = samples.map(|s| s.rays).sum::<u64>() * u64::from(design.replicates);
     let variance = dart.mean();
     Ok(Ledger {
-        rays: 2 * BATCHES * u64::from(batch) + runs * u64::from(RUN) + rate + pairs * 600 + spent,
+        rays: 2 * BATCHES * u64::from(batch)
+            + runs * u64::from(RUN)
+            + rate
+            + pairs * 600
+            + spent
+            + last,
         variance: Some(variance),
         compared: Some(compared.with(by_dimension).into()),
         efficiency: Some(1.0 / variance),

@@ -5,6 +5,7 @@
 //! Builds on: chapter 3 (estimates and their errors).
 
 mod figures;
+mod finale;
 mod plane_world;
 mod radiometry;
 
@@ -69,7 +70,7 @@ fn work(desk: &mut Desk) -> Result<Ledger, DeskError> {
     let room = load("room")?;
     let middle = probe(&room)?;
     let deep = Gather { depth: 40, ..walk };
-    let walks = desk.choose(250_000, 100_000);
+    let walks = desk.choose(120_000, 60_000);
     let read = plane_world::reflected(&room, &middle, &deep, walks, seed);
     let says = "a room with a shining ceiling: middle of the floor";
     desk.estimate("room", says, &read, Some(exact::ROOM_FLOOR));
@@ -90,6 +91,8 @@ fn work(desk: &mut Desk) -> Result<Ledger, DeskError> {
         .collect();
     figures::convergence(desk, &runs)?;
 
+    let last = finale::work(desk)?;
+
     let one = Exam {
         samples: 1,
         ..Exam::default()
@@ -100,7 +103,7 @@ fn work(desk: &mut Desk) -> Result<Ledger, DeskError> {
     let exact = (PI * PI / 8.0 - 1.0).sqrt();
     desk.known("sigma", says, variance.sqrt(), exact);
     Ok(Ledger {
-        rays: 2 * u64::from(samples) + u64::from(walks) * 41 + 7 * 16 * u64::from(gathers),
+        rays: 2 * u64::from(samples) + u64::from(walks) * 41 + 7 * 16 * u64::from(gathers) + last,
         variance: Some(variance),
         compared: Some(compared.into()),
         efficiency: Some(1.0 / variance),

@@ -6,6 +6,7 @@
 
 mod angles;
 mod figures;
+mod finale;
 mod inversion;
 mod slopes;
 
@@ -47,11 +48,12 @@ fn work(desk: &mut Desk) -> Result<Ledger, DeskError> {
     let of_flat = 5.0 * PI * PI / 64.0 - 9.0 / 16.0;
     let (gain_flat, in_flat, _) = variances::<Flat>(desk, "flat", of_flat);
     let (gain_solid, in_solid, variance) = variances::<Solid>(desk, "solid", 13.0 / 48.0);
+    let last = finale::work(desk)?;
     let rays = u64::from(desk.choose(1_000_000, 100_000_u32));
     let mut compared = in_flat.with(in_solid);
     [flat.1, solid.1].into_iter().for_each(|z| compared.add(z));
     Ok(Ledger {
-        rays: 6 * rays + spent,
+        rays: 6 * rays + spent + last,
         variance: Some(variance),
         compared: Some(compared.into()),
         efficiency: Some(1.0 / variance),

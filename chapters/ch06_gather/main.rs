@@ -5,6 +5,7 @@
 //! Builds on: chapters 4 and 5 (the same source in the flat world; directions).
 
 mod figures;
+mod finale;
 mod rate;
 
 use glam::Vec3;
@@ -43,7 +44,7 @@ fn work(desk: &mut Desk) -> Result<Ledger, DeskError> {
     }
     figures::pictures(desk, &scene, &pictures)?;
 
-    let bleeding = figures::bleeding(desk, &scene, desk.choose(40_000, 4_000))?;
+    let bleeding = figures::bleeding(desk, &scene, desk.choose(20_000, 4_000))?;
 
     // ANCHOR: bounces
     // A room whose walls all glow: bounce k adds the k-th power of the albedo.
@@ -77,6 +78,7 @@ fn work(desk: &mut Desk) -> Result<Ledger, DeskError> {
 
     figures::growth(desk, seed)?;
     let in_trees = rate::chart(desk)?;
+    let ending = finale::work(desk)?;
 
     let last = pictures
         .pop()
@@ -85,7 +87,7 @@ fn work(desk: &mut Desk) -> Result<Ledger, DeskError> {
     let per_sample = rays.total() as f64 / rays.camera.max(1) as f64;
     let drawn: u64 = pictures.iter().map(|p| p.rays.total()).sum();
     Ok(Ledger {
-        rays: drawn + rays.total() + bleeding + 3 * u64::from(samples) + in_trees,
+        rays: drawn + rays.total() + bleeding + 3 * u64::from(samples) + in_trees + ending,
         variance: Some(variance),
         compared: Some(compared.into()),
         efficiency: Some(1.0 / (variance * per_sample)),
@@ -104,7 +106,7 @@ fn picture(desk: &Desk, scene: &Scene, depth: u32) -> Result<Rendered, DeskError
         recipe: Recipe::Cosine,
     };
     let options = Options {
-        spp: desk.spp(6, 2),
+        spp: desk.spp(3, 2),
         seed: desk.options.seed,
         ..Options::default()
     };

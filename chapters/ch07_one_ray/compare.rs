@@ -41,7 +41,7 @@ pub fn tree_and_paths(desk: &mut Desk) -> Result<(f64, u64), DeskError> {
         recipe: Recipe::Cosine,
     };
     let paths = NextEvent { max_depth: 4 };
-    let spp = desk.choose(8, 2);
+    let spp = desk.choose(4, 2);
     let tree = picture(desk, &scene, &tree, spp, 0)?;
     // As many paths as the same rays buy; a few tell how many rays a path has.
     let few = picture(desk, &scene, &paths, 4, 1)?;
@@ -89,7 +89,7 @@ pub fn splitting(desk: &mut Desk) -> Result<u64, DeskError> {
         let split = Split { paths, max_depth };
         let found = picture(desk, &scene, &split, all / paths, 0)?;
         let whole = price(&found);
-        let count = desk.choose(200_000, 40_000) / paths;
+        let count = desk.choose(100_000, 40_000) / paths;
         let walks = walks::solid(&scene, &inside, &split, 0.0, count, seed);
         let point = walks.estimate.variance() * walks.rays_each();
         desk.value(

@@ -112,7 +112,7 @@ pub fn forty_paths(desk: &mut Desk, scene: &Scene) -> Result<u64, DeskError> {
 /// The noise of many paths over the noise of one, from pictures that differ by chance alone; the
 /// rays.
 pub fn noise(desk: &mut Desk, pictures: u64) -> Result<u64, DeskError> {
-    let side = desk.choose(48, 32);
+    let side = desk.choose(40, 32);
     let scene = gallery::load("cornell")?.sized([side; 2]);
     let mut means = vec![Estimate::new(); (side * side / 2) as usize];
     let mut singles = vec![Estimate::new(); means.len()];
@@ -161,7 +161,7 @@ pub fn edge(desk: &mut Desk) -> Result<u64, DeskError> {
         text: include_str!("edge.toml"),
     };
     let scene = gallery::from_text(source, None, |_| {})?;
-    let spp = desk.choose(8192, 4096);
+    let spp = desk.choose(4096, 4096);
     let found = picture(desk, &scene, &Kajiya { max_depth: 1 }, spp, 0)?;
     let [width, height] = scene.size;
     let (mut worst, mut edges) = (0.0_f64, 0);

@@ -6,6 +6,7 @@
 
 mod compare;
 mod figures;
+mod finale;
 mod rate;
 mod split;
 
@@ -44,14 +45,15 @@ fn work(desk: &mut Desk) -> Result<Ledger, DeskError> {
     let (z_tree, rays_tree) = compare::tree_and_paths(desk)?;
     [z_room, z_tree].into_iter().for_each(|z| compared.add(z));
     let rays_split = compare::splitting(desk)?;
-    let side = desk.choose(160, 48);
+    let side = desk.choose(96, 48);
     let scene = gallery::load("cornell")?.sized([side; 2]);
     let rays_forty = figures::forty_paths(desk, &scene)?;
     let rays_noise = figures::noise(desk, desk.choose(6, 6))?;
     let rays_edge = figures::edge(desk)?;
     reach(desk)?;
+    let last = finale::work(desk)?;
     Ok(Ledger {
-        rays: rays_room + rays_tree + rays_split + rays_forty + rays_noise + rays_edge,
+        rays: rays_room + rays_tree + rays_split + rays_forty + rays_noise + rays_edge + last,
         variance: Some(variance),
         compared: Some(compared.into()),
         efficiency: Some(1.0 / (variance * f64::from(SEGMENTS))),
@@ -67,7 +69,7 @@ const SEGMENTS: u32 = 24;
 /// The flat room whose answer is known: distance from it, variance of one path, and rays.
 fn room(desk: &mut Desk) -> Result<(f64, f64, u64), DeskError> {
     let (room, truth) = (flatland::load("room")?, exact::ROOM_FLOOR);
-    let (count, seed) = (desk.choose(250_000, 100_000), desk.options.seed);
+    let (count, seed) = (desk.choose(120_000, 80_000), desk.options.seed);
     let eye = Ray::<Flat>::new(Vec2::splat(0.5), Vec2::NEG_Y);
     // ANCHOR: room
     let max_depth = SEGMENTS;

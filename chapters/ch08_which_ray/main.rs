@@ -5,6 +5,7 @@
 //! Builds on: chapter 2 (the tree), chapter 7 (one ray in its place).
 
 mod figures;
+mod finale;
 mod furnaces;
 mod mixed_furnace;
 mod rate;
@@ -45,12 +46,12 @@ fn work(desk: &mut Desk) -> Result<Ledger, DeskError> {
     let scene = gallery::load("mixture")?;
     let max_depth = scene.suggested.max_depth;
     let which = |choice| WhichRay { max_depth, choice };
-    let whole = picture(desk, &scene, &which(Choice::ByMean), desk.spp(24, 2), seed)?;
+    let whole = picture(desk, &scene, &which(Choice::ByMean), desk.spp(12, 2), seed)?;
     let caption = "Three materials in the corners, each two halved between them, all three in the \
                    middle.";
     desk.picture("image.png", caption, &whole.film, &scene)?;
     let first = figures::FirstChoice(which(Choice::ByMean));
-    let map = picture(desk, &scene, &first, desk.spp(12, 4), seed)?;
+    let map = picture(desk, &scene, &first, desk.spp(6, 4), seed)?;
     let caption = "How often the first ray chosen is diffuse (orange), specular (blue), transmitted \
                    (green).";
     desk.picture("choices.png", caption, &map.film, &scene)?;
@@ -68,7 +69,7 @@ fn work(desk: &mut Desk) -> Result<Ledger, DeskError> {
         max_depth: 32,
         choice: Choice::ByMean,
     };
-    let paths = desk.choose(250_000, 100_000);
+    let paths = desk.choose(120_000, 60_000);
     let straight = slab.camera.ray(0.5, 0.5);
     let one = |i| {
         let mut tracer = Tracer::new(&slab);
@@ -94,7 +95,7 @@ fn work(desk: &mut Desk) -> Result<Ledger, DeskError> {
 
     // The same picture by each rule: the light is the same, the variance is not.
     let small = gallery::load("mixture")?.sized([48, 48]);
-    let mut spent = whole.rays.total() + map.rays.total() + slab_rays;
+    let mut spent = whole.rays.total() + map.rays.total() + slab_rays + finale::work(desk)?;
     let mut bargain = [0.0; 2];
     for (choice, name, called) in RULES {
         let mut variance = Estimate::new();

@@ -5,6 +5,7 @@
 //! Builds on: chapters 4 to 6 (the half disk, densities, direct light) and 7 (the walk).
 
 mod figures;
+mod finale;
 mod geometry_term;
 mod lamps;
 mod pick_one;
@@ -31,7 +32,7 @@ fn work(desk: &mut Desk) -> Result<Ledger, DeskError> {
     // The room is dim for a screen: shown with twice the light.
     desk.expose(1.0);
     // One lamp that shrinks over one surface: by chance until so many walks have found it.
-    let finds = desk.choose(10_000.0, 4_000.0);
+    let finds = desk.choose(4_000.0, 3_000.0);
     let (of_sweep, rays_sweep) = figures::sweep(desk, finds)?;
 
     rate::chart(desk)?;
@@ -45,7 +46,7 @@ fn work(desk: &mut Desk) -> Result<Ledger, DeskError> {
     let rays_twice = lamps::twice(desk)?;
 
     // Eight lamps: ask all of them, or one.
-    let count = desk.choose(250_000, 100_000);
+    let count = desk.choose(120_000, 60_000);
     let (of_lamps, rays_lamps) = lamps::many(desk, count)?;
 
     // What cannot be aimed at.
@@ -59,8 +60,9 @@ fn work(desk: &mut Desk) -> Result<Ledger, DeskError> {
     let gain = price(&chance) / price(&aim);
     let says = "half-angle 0.1: rays by chance for one ray with aiming, at equal error";
     desk.value("gain", says, figures::three(gain));
+    let last = finale::work(desk)?;
     Ok(Ledger {
-        rays: rays_sweep + rays_boxes + rays_twice + rays_lamps + rays_mirror,
+        rays: rays_sweep + rays_boxes + rays_twice + rays_lamps + rays_mirror + last,
         variance: Some(aim.squares.mean()),
         compared: Some(of_sweep.with(of_lamps).with(of_mirror).into()),
         efficiency: Some(1.0 / price(&aim)),

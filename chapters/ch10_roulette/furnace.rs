@@ -59,7 +59,7 @@ pub struct Played {
 
 /// Mean and variance of roulette.
 pub fn survivals(desk: &mut Desk) -> Played {
-    let (walks, seed) = (desk.choose(400_000, 100_000), desk.options.seed);
+    let (walks, seed) = (desk.choose(120_000, 80_000), desk.options.seed);
     let played: Vec<_> = PERCENT
         .into_par_iter()
         .map(|percent| {
@@ -134,7 +134,7 @@ pub fn survivals(desk: &mut Desk) -> Played {
 
 /// What is left of the mean where no walk may be worth more than a bound.
 pub fn clamps(desk: &mut Desk) {
-    let (walks, game) = (desk.choose(150_000, 50_000), game(65));
+    let (walks, game) = (desk.choose(80_000, 50_000), game(65));
     for most in [10.0, 30.0, 100.0] {
         let one = |i| {
             game.walk(&Stream::new(desk.options.seed, i, 300))
@@ -166,7 +166,7 @@ pub fn needed(desk: &mut Desk) {
     let target = 0.01 * game.mean();
     let walks = (game.variance() / (target * target)).round();
     desk.value("needed", "survival 0.9: walks for an error of 1 %", walks);
-    let runs = desk.choose(1_000, 200);
+    let runs = desk.choose(500, 200);
     let seed = desk.options.seed;
     let squares: Vec<f64> = (0..runs)
         .into_par_iter()

@@ -5,6 +5,7 @@
 //! depth cut. Builds on: chapter 7 (one ray, not a tree).
 
 mod figures;
+mod finale;
 mod furnace;
 mod pictures;
 mod survival;
@@ -49,6 +50,7 @@ fn work(desk: &mut Desk) -> Result<Ledger, DeskError> {
     // A room, and a floor, where survival follows what a path carries.
     let picture = pictures::work(desk)?;
     dark_floor(desk)?;
+    rays += finale::work(desk)?;
 
     let game = Game {
         albedo: 0.8,
@@ -69,7 +71,7 @@ fn work(desk: &mut Desk) -> Result<Ledger, DeskError> {
 
 /// Between white walls nothing is ever lost, and a walk ends all the same.
 fn endless(desk: &mut Desk) {
-    let walks = desk.choose(100_000, 10_000);
+    let walks = desk.choose(50_000, 10_000);
     let roulette = Roulette {
         survival: Survival::Throughput(0.05),
     };

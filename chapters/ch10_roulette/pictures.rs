@@ -30,7 +30,7 @@ pub struct Found {
 
 /// Paints the box in all ways.
 pub fn work(desk: &mut Desk) -> Result<Found, DeskError> {
-    let side = desk.choose(48, 24);
+    let side = desk.choose(32, 24);
     let scene = gallery::load("cornell")?.sized([side; 2]);
     let by_throughput = Roulette {
         survival: Survival::Throughput(0.05),
@@ -97,7 +97,7 @@ pub fn work(desk: &mut Desk) -> Result<Found, DeskError> {
 
 /// How long walks are, pixel by pixel.
 fn heat_map(desk: &mut Desk, roulette: Roulette) -> Result<u64, DeskError> {
-    let side = desk.choose(128, 48);
+    let side = desk.choose(96, 48);
     let scene = gallery::load("cornell")?.sized([side; 2]);
     let lengths = paint(desk, &scene, &Segments(roulette))?;
     let hottest = lengths.film.max();

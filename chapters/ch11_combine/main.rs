@@ -5,6 +5,7 @@
 //! `L(S|G|D)*E`, every light found in two ways. Builds on: chapter 7 (chance) and 9 (aiming).
 
 mod figures;
+mod finale;
 mod plates;
 mod rate;
 mod readings;
@@ -37,10 +38,11 @@ fn work(desk: &mut Desk) -> Result<Ledger, DeskError> {
     // Where every wall is a lamp, everyone must read the same.
     let (rays, in_furnace) = readings::furnace(desk)?;
     readings::mistakes(desk)?;
+    let last = finale::work(desk)?;
 
     let (variance, premium) = (sweep.at_one, sweep.premium);
     Ok(Ledger {
-        rays: sweep.rays + drawn + rays,
+        rays: sweep.rays + drawn + rays + last,
         variance: Some(variance),
         compared: Some(sweep.compared.with(in_furnace).into()),
         // A ray from the eye, one to the lamp, one by chance.

@@ -84,7 +84,7 @@ pub fn work(desk: &mut Desk) -> Result<u64, DeskError> {
 
 fn paint(desk: &Desk, scene: &Scene, by: &impl Integrator) -> Result<Rendered, DeskError> {
     let options = Options {
-        spp: desk.spp(10, 4),
+        spp: desk.spp(4, 4),
         seed: desk.options.seed,
         ..Options::default()
     };

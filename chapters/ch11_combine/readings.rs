@@ -19,7 +19,7 @@ use halfdisk::stats::z_test::{FOUR, Largest, z_test};
 /// What each walk reads in a closed room whose walls glow: the rays, and how far
 /// they are from the truth.
 pub fn furnace(desk: &mut Desk) -> Result<(u64, Largest), DeskError> {
-    let walks = desk.choose(4_000, 1_000);
+    let walks = desk.choose(2_000, 1_000);
     let mut rays = 0;
     let mut compared = Largest::default();
     for (percent, max_depth) in [(50, 24), (75, 48)] {

@@ -18,7 +18,7 @@ pub struct Agreed {
 
 /// The box with a mirror and a glass ball, by every walk that finds all of its light.
 pub fn work(desk: &mut Desk) -> Result<Agreed, DeskError> {
-    let side = desk.choose(32, 16);
+    let side = desk.choose(24, 16);
     let scene = gallery::load("spheres")?.sized([side; 2]);
     let mut by_path = Renders::default();
     let mut rays = 0;

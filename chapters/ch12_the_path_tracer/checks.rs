@@ -91,7 +91,7 @@ fn flat_path(
 /// How far the path tracer is from closed forms, and its rays.
 pub fn work(desk: &mut Desk) -> Result<(Largest, u64), DeskError> {
     let (mut compared, mut rays) = (Largest::default(), 0);
-    let (count, seed) = (desk.choose(120_000, 60_000), desk.options.seed);
+    let (count, seed) = (desk.choose(80_000, 50_000), desk.options.seed);
     let mut record = |desk: &mut Desk, name: &str, says: &str, found: &Walks, truth: f64| {
         desk.estimate(name, says, &found.estimate, Some(truth));
         desk.value(&format!("{name}_rays"), "  rays", found.rays_each());

@@ -7,7 +7,6 @@ use halfdisk::lab::chapter::{Desk, DeskError, Finale};
 use halfdisk::lab::drawing::StrokeKind;
 use halfdisk::lab::figures::sketch::Sketch;
 use halfdisk::render::{Options, Rendered, render};
-use halfdisk::sampling::stream::Sampler;
 use halfdisk::scene::{Scene, gallery};
 
 /// A path in a room: where it aims, what it meets by chance, and where it may end.
@@ -70,9 +69,9 @@ pub fn idea(desk: &mut Desk) -> Result<(), DeskError> {
 
 /// The box with a mirror and a glass ball by four walks that take about as many rays: all their rays.
 pub fn pictures(desk: &mut Desk) -> Result<u64, DeskError> {
-    let side = desk.choose(128, 32);
+    let side = desk.choose(112, 32);
     let scene = gallery::load("spheres")?.sized([side; 2]);
-    let spp = desk.spp(16, 8);
+    let spp = desk.spp(10, 8);
     let by_path = picture(desk, &scene, Path::ENTRY, spp)?;
     let mut rays = by_path.rays.total();
     for (name, entry) in [
@@ -94,15 +93,13 @@ pub fn pictures(desk: &mut Desk) -> Result<u64, DeskError> {
 pub fn finale(desk: &mut Desk) -> Result<u64, DeskError> {
     let finale = Finale {
         file: "final.png",
-        title: "A still life by the path tracer. The sun falls through one window and the sky through another. Look at the \
-                caustic of the glass ball on the cloth, at the window in the gold, at the red that the wall lends the gold \
-                and the books, and at the chess board upside down in the glass.",
+        title: "A still life in the light of one window, by the path tracer. Look at the window in the chrome, and its blur \
+                in the gold; at the bright spot that the ball of glass throws on the cloth; at the red that the wall lends \
+                the gold; and at the cloth, upside down in the glass.",
         spp: 16,
-        sampler: Sampler::Sobol,
         stops: 0.2,
     };
-    // Small, for a tour: in its own size it takes minutes.
-    let scene = gallery::load("final")?.sized([360, 270]);
+    let scene = gallery::load("final")?;
     let path = Path::new(scene.suggested.max_depth);
     Ok(desk.finale(&scene, &path, &finale)?.rays.total())
 }

@@ -77,7 +77,7 @@ pub fn renders(
     seed: u64,
 ) -> Result<Renders, DeskError> {
     let mut all = Renders::default();
-    for replicate in 0..desk.choose(8, 6) {
+    for replicate in 0..desk.choose(6, 6) {
         let options = Options {
             spp: 4,
             seed: desk.options.seed + 1000 * seed + replicate,
@@ -132,9 +132,9 @@ pub struct Saved {
 
 /// Prices of the path tracer without each of its ingredients, in three scenes.
 pub fn work(desk: &mut Desk) -> Result<Saved, DeskError> {
-    let side = desk.choose(32, 16);
+    let side = desk.choose(24, 16);
     // Large, so that the smallest lamp is no smaller in its plate than a pixel: that noise is nobody's.
-    let plates = gallery::load("veach")?.sized(desk.choose([128, 96], [64, 48]));
+    let plates = gallery::load("veach")?.sized(desk.choose([96, 72], [64, 48]));
     // Direct light alone: what plates throw at each other is rare and bright, and nobody here looks for it.
     let direct = plates.suggested.max_depth;
     let scenes = [

@@ -6,6 +6,7 @@
 //! Builds on: chapters 2 and 6 (trees of rays; directions over a surface).
 
 mod figures;
+mod finale;
 mod profiles;
 mod rate;
 
@@ -73,13 +74,13 @@ fn work(desk: &mut Desk) -> Result<Ledger, DeskError> {
     compared.add(cone.z(PI / 4.0));
 
     // The same scene without any integral, with each alone, and with all.
-    let scene = gallery::load("six")?.sized(desk.choose([320, 240], [160, 120]));
+    let scene = gallery::load("six")?.sized(desk.choose([280, 210], [160, 120]));
     let none = picture(desk, &scene, Integral::NONE, 1)?;
     let text = "No integral: jagged edges, hard shadows, all in focus.";
     desk.picture("none.png", text, &none.film, &scene)?;
     let mut sum = 0.0;
     for integral in Integral::ALL {
-        let only = picture(desk, &scene, integral.others(), desk.spp(8, 2))?;
+        let only = picture(desk, &scene, integral.others(), desk.spp(5, 2))?;
         let name = figures::name(integral);
         let caption = figures::look(integral);
         desk.picture(&format!("{name}.png"), caption, &only.film, &scene)?;
@@ -89,14 +90,15 @@ fn work(desk: &mut Desk) -> Result<Ledger, DeskError> {
     let once = picture(desk, &scene, &[], 1)?;
     let text = "All six with one sample: noise, and right in the mean.";
     desk.picture("once.png", text, &once.film, &scene)?;
-    let scene = scene.sized(desk.choose([512, 384], [160, 120]));
-    let all = picture(desk, &scene, &[], desk.spp(16, 2))?;
-    desk.picture("all.png", "All six with 16 samples.", &all.film, &scene)?;
+    let all_six = format!("All six with {} samples.", desk.spp(12, 2));
+    let all = picture(desk, &scene, &[], desk.spp(12, 2))?;
+    desk.picture("all.png", &all_six, &all.film, &scene)?;
     cost(desk, "none", &none);
     let variance = cost(desk, "all", &all);
     desk.value("variance_sum", "variances one by one, added up", sum);
     let pictures = none.rays.total() + once.rays.total() + all.rays.total();
     drawn += pictures + figures::first_hits(desk)? + figures::occlusion(desk)?;
+    drawn += finale::work(desk)?;
 
     let per_sample = all.rays.total() as f64 / all.rays.camera.max(1) as f64;
     Ok(Ledger {

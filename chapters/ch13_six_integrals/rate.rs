@@ -12,8 +12,8 @@ const PIXEL: usize = 10;
 /// The variance of one pixel of each row, against its samples.
 pub fn chart(desk: &mut Desk, profiles: &[Profile]) -> Result<(), DeskError> {
     let design = Design {
-        replicates: desk.choose(48, 32),
-        doublings: desk.choose(7, 4),
+        replicates: desk.choose(32, 32),
+        doublings: desk.choose(6, 4),
         first: 4,
         seed: desk.options.seed,
     };

@@ -32,7 +32,7 @@ pub fn work(desk: &mut Desk) -> Result<(u64, Largest), DeskError> {
     let found = paths_in(Path::ENTRY, "point");
     let (mut caustics, mut lost) = (Estimate::new(), Estimate::new());
     let mut rays = by_lamp + by_point;
-    for seed in 0..desk.choose(12, 8) {
+    for seed in 0..desk.choose(8, 8) {
         let words = spell(desk, &scene, seed);
         rays += words.rays;
         let light = |class: &Class| share_of(*class, &words)[0];
@@ -50,7 +50,7 @@ pub fn work(desk: &mut Desk) -> Result<(u64, Largest), DeskError> {
 }
 
 fn load(desk: &Desk, change: impl FnOnce(&mut Description)) -> Result<Scene, DeskError> {
-    let side = desk.choose(32, 16);
+    let side = desk.choose(24, 16);
     Ok(gallery::load_with("spheres", change)?.sized([side; 2]))
 }
 
@@ -84,7 +84,7 @@ fn room(
 ) -> Result<(u64, Largest), DeskError> {
     let scene = load(desk, change)?;
     desk.say(&format!("\nthe room with a {lamp}"));
-    let spelt: Vec<Words> = (0..desk.choose(12, 8))
+    let spelt: Vec<Words> = (0..desk.choose(8, 8))
         .map(|seed| spell(desk, &scene, seed))
         .collect();
     let all: Estimate = spelt.iter().map(|words| words.total.mean()).collect();

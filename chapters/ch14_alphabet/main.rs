@@ -8,6 +8,7 @@ mod automaton;
 mod coverage;
 mod dictionary;
 mod figures;
+mod finale;
 
 use halfdisk::integrators::Path;
 use halfdisk::lab::chapter::{Chapter, Desk, DeskError, Number};
@@ -46,7 +47,7 @@ fn work(desk: &mut Desk) -> Result<Ledger, DeskError> {
     // Every path of four renders, spelt.
     let (mut groups, mut spelt) = (Vec::new(), 0);
     for name in SCENES {
-        let side = desk.choose(64, 24);
+        let side = desk.choose(48, 24);
         let scene = gallery::load(name)?.sized([side; 2]);
         let words = spell(desk, &scene);
         spelt += words.rays;
@@ -63,8 +64,9 @@ fn work(desk: &mut Desk) -> Result<Ledger, DeskError> {
 
     // What each integrator finds: said by the expressions, and measured.
     let (rays, compared) = coverage::work(desk)?;
+    let last = finale::work(desk)?;
     Ok(Ledger {
-        rays: spelt + drawn.rays + rays,
+        rays: spelt + drawn.rays + rays + last,
         variance: Some(drawn.variance),
         compared: Some(compared.into()),
         efficiency: Some(1.0 / (drawn.variance * drawn.per_sample)),

@@ -84,7 +84,7 @@ fn room(desk: &mut Desk, name: &str, scene: &Scene) -> Result<u64, DeskError> {
         }
     };
     let path = Path::new(depth);
-    let spp = desk.choose(128, 48);
+    let spp = desk.choose(64, 48);
     let halves = [film(&path, spp, 1)?, film(&path, spp, 2)?];
     let truth = Reference::new(&halves[0].film, &halves[1].film, spp);
     let pixels = f64::from(scene.size[0] * scene.size[1]);
@@ -99,7 +99,7 @@ fn room(desk: &mut Desk, name: &str, scene: &Scene) -> Result<u64, DeskError> {
     };
     let (mut of_path, mut of_patches) = (Vec::new(), Vec::new());
     let mut solved = None;
-    for replicate in 0..desk.choose(4_u64, 3) {
+    for replicate in 0..desk.choose(3_u64, 3) {
         let start = Moment::now();
         let patches = Radiosity::new(scene, depth, number, &())?;
         let before = start.elapsed().unwrap_or_default().as_secs_f64();
@@ -121,7 +121,7 @@ fn room(desk: &mut Desk, name: &str, scene: &Scene) -> Result<u64, DeskError> {
             patches: &patches,
             path,
         },
-        desk.choose(512, 128),
+        desk.choose(160, 96),
         3,
     )?;
     let fought = Fought {

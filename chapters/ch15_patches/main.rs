@@ -6,6 +6,7 @@
 
 mod drawing;
 mod fight;
+mod finale;
 mod forms;
 mod levels;
 mod rates;
@@ -47,9 +48,10 @@ fn work(desk: &mut Desk) -> Result<Ledger, DeskError> {
 
     // Against paths.
     let fight = fight::work(desk)?;
+    let last = finale::work(desk)?;
 
     Ok(Ledger {
-        rays: drawn + levelled + fight,
+        rays: drawn + levelled + fight + last,
         ..Ledger::of(
             "One system of equations holds the light of a diffuse room for every view. It costs the square \
              of the patches in memory, and its error is that of the patches, which no sample takes away.",

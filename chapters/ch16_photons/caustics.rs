@@ -77,7 +77,7 @@ fn beam(
     direction: Vec2,
     desk: &Desk,
 ) -> (Vec<Photon<Flat>>, u32) {
-    let walks = desk.choose(150_000, 40_000);
+    let walks = desk.choose(80_000, 40_000);
     let by = Photons::in_space::<Flat>(64);
     let mut tracer = FlatTracer::new(world);
     let mut found = Vec::new();
@@ -144,7 +144,7 @@ fn ellipse(desk: &mut Desk) -> Result<(), DeskError> {
             .extend(strokes(&points, StrokeKind::ToSurface));
     }
     let mut found = Vec::new();
-    let walks = desk.choose(100_000, 20_000);
+    let walks = desk.choose(60_000, 20_000);
     let by = Photons::in_space::<Flat>(4);
     let mut tracer = FlatTracer::new(&world);
     for walk in 0..walks {

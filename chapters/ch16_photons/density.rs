@@ -39,7 +39,7 @@ pub fn work(desk: &mut Desk) -> Result<(), DeskError> {
 fn variance(desk: &mut Desk) -> Result<(), DeskError> {
     let world = flat_world("lamp.toml", LAMP)?;
     let design = Design {
-        replicates: desk.choose(200, 64),
+        replicates: desk.choose(100, 64),
         doublings: desk.choose(7, 5),
         first: 128,
         seed: desk.options.seed,
@@ -102,7 +102,7 @@ fn variance(desk: &mut Desk) -> Result<(), DeskError> {
 
 fn u_curve(desk: &mut Desk) -> Result<(), DeskError> {
     let world = flat_world("lamp.toml", LAMP)?;
-    let (walks, runs) = (2000, desk.choose(400, 100));
+    let (walks, runs) = (2000, desk.choose(200, 100));
     let radii: Vec<f64> = (-12..=1).map(|k| libm::exp2(0.5 * f64::from(k))).collect();
     let mut squares = vec![Estimate::new(); radii.len()];
     for run in 0..runs {

@@ -46,7 +46,7 @@ fn made(name: &str, scene: &Scene) -> Result<Box<dyn Integrator>, DeskError> {
 
 fn one(desk: &mut Desk, scene_name: &str, scene: &Scene, truth: &str) -> Result<u64, DeskError> {
     let mut rays = 0;
-    let spp = desk.choose(768, 256);
+    let spp = desk.choose(384, 192);
     let by = made(truth, scene)?;
     let mut half = |seed: u64| {
         let options = Options {
@@ -62,7 +62,7 @@ fn one(desk: &mut Desk, scene_name: &str, scene: &Scene, truth: &str) -> Result<
         }
     };
     let truth = Reference::new(&half(1)?, &half(2)?, spp);
-    let (doublings, replicates) = (desk.choose(7, 5), desk.choose(4, 3_u64));
+    let (doublings, replicates) = (desk.choose(6, 5), desk.choose(3, 3_u64));
     let mut courses = Vec::new();
     for name in METHODS {
         let by = made(name, scene)?;
@@ -235,7 +235,7 @@ fn chart(desk: &mut Desk, scene: &str, courses: &[Course]) -> Result<(), DeskErr
 /// The caustic by all three, in the same time.
 fn strip(desk: &mut Desk, scene: &Scene) -> Result<(), DeskError> {
     let scene = scene.clone().sized(desk.choose([120; 2], [40; 2]));
-    let seconds = desk.choose(0.8, 0.1);
+    let seconds = desk.choose(0.5, 0.1);
     for (name, look) in METHODS.into_iter().zip([
         "Look at the single bright specks: each is a walk that found the lamp through the glass by chance.",
         "Fine grain, and a sharp rim.",

@@ -33,7 +33,7 @@ pub fn work(desk: &mut Desk) -> Result<u64, DeskError> {
         let photons = Photons {
             radius: Some(radius),
             alpha: 1.0,
-            walks: Some(desk.choose(1 << 17, 1 << 14)),
+            walks: Some(desk.choose(1 << 16, 1 << 14)),
             ..Photons::new(scene.suggested.max_depth)
         };
         let options = Options {

@@ -12,7 +12,7 @@ pub fn work(desk: &mut Desk) -> Result<u64, DeskError> {
     let scene = scene.sized(size);
     let depth = scene.suggested.max_depth;
     let photons = Photons {
-        walks: Some(desk.choose(1 << 17, 1 << 14)),
+        walks: Some(desk.choose(1 << 16, 1 << 14)),
         ..Photons::new(depth)
     };
     let methods: [(&str, &dyn Integrator, &str); 3] = [
@@ -36,7 +36,7 @@ pub fn work(desk: &mut Desk) -> Result<u64, DeskError> {
     let mut rays = 0;
     for (name, method, caption) in methods {
         let options = Options {
-            spp: desk.spp(16, 16),
+            spp: desk.spp(12, 12),
             seed: desk.options.seed,
             ..Options::default()
         };

@@ -6,6 +6,7 @@
 
 mod acne;
 mod cases;
+mod finale;
 mod leaving;
 mod patches;
 mod spacing;
@@ -58,7 +59,7 @@ fn work(desk: &mut Desk) -> Result<Ledger, DeskError> {
     }
 
     // The same in a picture.
-    let pictured = acne::pictures(desk)?;
+    let pictured = acne::pictures(desk)? + finale::work(desk)?;
 
     // What the care costs: rounds in several sittings, for what slows a machine lasts longer than a round.
     let (sittings, rounds) = desk.choose((12, 80), (3, 2));

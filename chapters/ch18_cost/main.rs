@@ -5,6 +5,7 @@
 //! what each integrator before it does. Builds on: chapters 3 (the error bar and its rate) and 7 to 11
 //! (the integrators).
 
+mod finale;
 mod law;
 mod maps;
 mod needs;
@@ -43,6 +44,7 @@ fn work(desk: &mut Desk) -> Result<Ledger, DeskError> {
     rays += prices.rays;
     rays += needs::held_out(desk, &prices)?;
     rays += needs::target(desk, &prices)?;
+    rays += finale::work(desk)?;
 
     let (variance, per_sample) = (prices.variance, prices.rays_per_sample);
     Ok(Ledger {

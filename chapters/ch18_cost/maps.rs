@@ -34,7 +34,7 @@ fn picture(desk: &Desk, name: &str, side: u32, spp: u32) -> Result<Rendered, Des
 
 /// The variance of one sample and the samples that are needed, pixel by pixel; the rays.
 pub fn box_of_noise(desk: &mut Desk) -> Result<u64, DeskError> {
-    let found = picture(desk, "cornell", desk.choose(80, 32), desk.choose(48, 16))?;
+    let found = picture(desk, "cornell", desk.choose(64, 32), desk.choose(48, 16))?;
     let accuracy = Accuracy::of(&found.film);
     let map = |title: &str, label: &str, values: Vec<f64>| HeatMap {
         title: title.to_owned(),

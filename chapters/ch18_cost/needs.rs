@@ -25,7 +25,7 @@ pub fn held_out(desk: &mut Desk, prices: &Prices) -> Result<u64, DeskError> {
     let (mut required, mut rays, mut interrupted) = (Estimate::new(), 0, false);
     // ANCHOR: needed
     for number in 0..4 {
-        let options = options(desk.choose(64, 32), number);
+        let options = options(desk.choose(32, 24), number);
         let pilot = render(scene, &path, &options, &desk.bar("pilot"));
         // The variance of a sample over the squared error that is wanted, mean over all pixels.
         let pixels: Estimate = truth.required(&pilot.film, ERROR).into_iter().collect();
@@ -36,7 +36,7 @@ pub fn held_out(desk: &mut Desk, prices: &Prices) -> Result<u64, DeskError> {
     // ANCHOR_END: needed
     let needed = required.mean().ceil() as u32;
     let mut squares = Estimate::new();
-    for number in 0..desk.choose(6, 4) {
+    for number in 0..desk.choose(4, 4) {
         let found = render(
             scene,
             &path,

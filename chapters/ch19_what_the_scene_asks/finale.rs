@@ -3,7 +3,6 @@
 use halfdisk::integrators::Path;
 use halfdisk::lab::chapter::{Desk, DeskError, Finale};
 use halfdisk::lab::effects::plan::plan;
-use halfdisk::sampling::stream::Sampler;
 use halfdisk::scene::gallery;
 
 /// The plans of a courtyard and of the still life of chapter 12, and a picture of the first; the rays it took.
@@ -14,14 +13,13 @@ pub fn work(desk: &mut Desk) -> Result<u64, DeskError> {
         let says = format!("effects that {name} asks for");
         desk.value(&format!("asks_of_{name}"), &says, asks as f64);
     }
-    let scene = gallery::load("courtyard")?;
+    let scene = gallery::load("courtyard")?.sized([512, 288]);
     let finale = Finale {
         file: "courtyard.png",
         title: "A courtyard at noon. Look at the blue of the shadows, which only the sky lights; at the caustic behind the \
                 ball of glass; at the tint of the tiles on the walls above them; and at the mirror ball, which shows what \
                 lies behind you.",
         spp: 32,
-        sampler: Sampler::Sobol,
         stops: 0.2,
     };
     let path = Path::new(scene.suggested.max_depth);

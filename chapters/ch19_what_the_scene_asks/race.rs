@@ -42,7 +42,7 @@ pub fn work(desk: &mut Desk) -> Result<Race, DeskError> {
     let sizes = desk.choose(4, 2);
     let mut entries = vec![vec![Entry::default(); SIZES.len()]; WALKS.len()];
     // In turns, so that what else the machine does is shared fairly.
-    for replicate in 0..desk.choose(6, 3) {
+    for replicate in 0..desk.choose(3, 3) {
         for (size, spp) in SIZES.into_iter().take(sizes).enumerate() {
             for (place, integrator) in WALKS.into_iter().enumerate() {
                 let options = Options {
@@ -164,7 +164,7 @@ fn root(square: &Estimate) -> [f64; 2] {
 /// Two pictures of many samples, whose noise is independent, and the rays they took.
 fn reference(desk: &Desk, scene: &Scene) -> Result<(Reference, u64), DeskError> {
     let mut rays = 0;
-    let spp = desk.choose(512, 256);
+    let spp = desk.choose(256, 128);
     let mut half = |seed| {
         let options = Options {
             spp,

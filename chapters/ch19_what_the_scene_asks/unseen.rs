@@ -7,10 +7,10 @@ use halfdisk::render::{Options, render};
 
 /// Paints them; the rays they took.
 pub fn pictures(desk: &mut Desk) -> Result<u64, DeskError> {
-    let scene = load(|_| {})?.sized(desk.choose([240; 2], [32; 2]));
+    let scene = load(|_| {})?.sized(desk.choose([200; 2], [32; 2]));
     let depth = scene.suggested.max_depth;
     let photons = Photons {
-        walks: Some(desk.choose(1 << 17, 1 << 12)),
+        walks: Some(desk.choose(1 << 16, 1 << 12)),
         ..Photons::new(depth)
     };
     let methods: [(&str, &dyn Integrator, &str); 2] = [

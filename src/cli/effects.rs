@@ -1,9 +1,10 @@
 //! `halfdisk effects`.
 
-use super::Stop;
 use super::answer::answer;
 use super::demand::{Demand, measured_size};
+use super::{Stop, check_folder, drawn, save};
 use crate::lab::chapter::{Bar, on_ctrl_c, tell, whole};
+use crate::lab::drawing::{self, BarChart, BarGroup};
 use crate::lab::effects::measure::{Difference, Setup, difference_watched};
 use crate::lab::effects::plan::{self, Plan, demand, plan};
 use crate::lab::effects::without::Without;
@@ -13,6 +14,7 @@ use clap::Args;
 use indicatif::{ProgressBar, ProgressStyle};
 use serde::Serialize;
 use std::fmt::{self, Display, Formatter};
+use std::path::{Path, PathBuf};
 use std::sync::atomic::Ordering;
 
 /// What a scene calls for and why, what is left out and why.
@@ -31,6 +33,9 @@ pub struct EffectsOf {
     /// How often each is rendered
     #[arg(long, requires = "measure", default_value_t = 6, allow_negative_numbers = true, value_parser = whole(3_u32..=1000))]
     rounds: u32,
+    /// Folder for a chart of the measured light: effects.svg and effects.png
+    #[arg(long, requires = "measure", value_name = "DIR")]
+    out: Option<PathBuf>,
     /// Print all of it as JSON
     #[arg(long)]
     json: bool,
@@ -45,7 +50,9 @@ Examples:
   halfdisk effects caustic --paths 'LS+DE'
       what a demand for these paths leaves
   halfdisk effects lens --measure
-      what each effect costs, and what would be wrong without it";
+      what each effect costs, and what would be wrong without it
+  halfdisk effects room --measure --out out/effects
+      the same, and a chart of it for a lecture";
 
 /// What a scene calls for.
 #[derive(Serialize)]
@@ -84,6 +91,7 @@ struct Measurements {
 impl EffectsOf {
     pub(super) fn run(self) -> Result<(), Stop> {
         let scene = gallery::load(&self.scene)?;
+        self.out.as_deref().map(check_folder).transpose()?;
         let setup = self.demand.of(scene.clone())?;
         let wanted = setup.wanted.as_ref();
         let result = CalledFor {
@@ -94,6 +102,9 @@ impl EffectsOf {
             about: scene.about,
         };
         answer(&result, self.json)?;
+        if let (Some(folder), Some(measured)) = (&self.out, &result.measured) {
+            measured.draw(&result.scene, folder)?;
+        }
         if let Some(m) = result.measured.filter(|m| m.interrupted) {
             let (done, all) = (m.effects.len(), m.wanted);
             tell(format_args!("interrupted: kept {done} of {all} effects"));
@@ -148,6 +159,39 @@ impl EffectsOf {
         }
         bar.finish_and_clear();
         Ok(measured)
+    }
+}
+
+impl Measurements {
+    /// A bar for each effect: the light that a picture lacks without it.
+    fn chart(&self, scene: &str) -> BarChart {
+        let group = |Measured { effect, difference }: &Measured| {
+            let share = difference.share.percent();
+            BarGroup {
+                name: effect.name().to_owned(),
+                bars: vec![drawing::Bar {
+                    error: Some(share.error),
+                    ..drawing::Bar::new("", share.value)
+                }],
+            }
+        };
+        BarChart {
+            title: format!("What each effect brings: {scene}"),
+            x_label: "effect; bars: one standard error".to_owned(),
+            y_label: "light that is missing without it, percent".to_owned(),
+            groups: self.effects.iter().map(group).collect(),
+            ..BarChart::default()
+        }
+    }
+
+    fn draw(&self, scene: &str, folder: &Path) -> Result<(), Stop> {
+        let chart = self.chart(scene);
+        let files = drawn(&folder.join("effects"), chart.to_svg(), chart.to_png())?;
+        for (file, bytes) in files.into_iter().flatten() {
+            save(&file, bytes)?;
+            tell(format_args!("wrote {}", file.display()));
+        }
+        Ok(())
     }
 }
 

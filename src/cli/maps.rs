@@ -65,7 +65,7 @@ impl Maps {
         };
         let variance = map(
             "Variance of one sample".into(),
-            "variance",
+            "variance, (W/(m² sr))²",
             &accuracy.variances(),
         );
         let need = map(

@@ -83,7 +83,7 @@ fn the_commands_answer_and_refuse() {
 #[test]
 fn what_asks_for_a_measurement_is_refused_without_one() {
     let folder = folder();
-    for alone in [&["--spp", "4"][..], &["--rounds", "3"]] {
+    for alone in [&["--spp", "4"][..], &["--rounds", "3"], &["--out", "x"]] {
         let output = halfdisk(folder.path(), &[&["effects", "lens"], alone].concat());
         let text = complaint(&output);
         assert_eq!(output.status.code(), Some(2), "{text}");
@@ -92,6 +92,32 @@ fn what_asks_for_a_measurement_is_refused_without_one() {
             "{text}"
         );
     }
+}
+
+#[test]
+fn what_was_measured_is_drawn_as_svg_and_as_png() {
+    let folder = folder();
+    let mut arguments = "effects cornell --measure --spp 1 --rounds 3 --out charts --json"
+        .split(' ')
+        .collect::<Vec<_>>();
+    let output = halfdisk(folder.path(), &arguments);
+    assert!(output.status.success(), "{}", complaint(&output));
+    let measured: serde_json::Value = serde_json::from_slice(&output.stdout).unwrap();
+    let effects = measured["measured"]["effects"].as_array().unwrap();
+    let svg = std::fs::read_to_string(folder.path().join("charts/effects.svg")).unwrap();
+    assert!(svg.contains("What each effect brings: cornell"), "{svg}");
+    for effect in effects {
+        let name = effect["effect"].as_str().unwrap();
+        assert!(svg.contains(name), "{name} is not drawn");
+    }
+    assert!(!svg.contains("motion"), "an effect that was not measured");
+    let png = image::open(folder.path().join("charts/effects.png")).unwrap();
+    assert!(png.width() > 1000, "large enough for a lecture");
+    // Without a folder nothing is written.
+    arguments.drain(7..9);
+    let empty = self::folder();
+    assert!(halfdisk(empty.path(), &arguments).status.success());
+    assert!(empty.path().read_dir().unwrap().next().is_none());
 }
 
 #[test]

@@ -63,34 +63,34 @@ const CARDS: &[Card] = &[
     ),
     card(
         "ch03",
-        "darts.svg",
+        "beads.png",
         ["pi_darts", "is π by random darts"],
         None,
-        "",
+        "chapters/ch03_hit_or_miss/beads.toml",
     ),
     card(
         "ch04",
-        "fan.svg",
+        "penumbra.png",
         [
             "slope_correct",
             "is the slope of the error: four times the rays for half of it",
         ],
         None,
-        "examples/flatland/lamp.toml",
+        "chapters/ch04_half_disk/penumbra.toml",
     ),
     card(
         "ch05",
-        "malley.svg",
+        "lifted.png",
         [
             "gain_solid",
             "uniform rays do the work of one cosine ray in space",
         ],
         None,
-        "",
+        "chapters/ch05_importance_sampling/lifted.toml",
     ),
     card(
         "ch06",
-        "all.png",
+        "bleeding.png",
         [
             "bleeding_red_4",
             "times as much red as green on the white wall beside the red one",
@@ -99,21 +99,21 @@ const CARDS: &[Card] = &[
             ["direct.png", "direct light"],
             ["all.png", "and three bounces"],
         ]),
-        "examples/scenes/cornell.toml",
+        "chapters/ch06_gather/bleeding.toml",
     ),
     card(
         "ch07",
-        "forty.png",
+        "house.png",
         [
             "price_ratio",
             "rays of trees buy what one ray of paths buys",
         ],
         None,
-        "examples/scenes/cornell.toml",
+        "chapters/ch07_one_ray/house.toml",
     ),
     card(
         "ch08",
-        "image.png",
+        "shares.png",
         [
             "slab_rays",
             "rays of a path through a pane of glass, where a tree splits without end",
@@ -122,11 +122,11 @@ const CARDS: &[Card] = &[
             ["image.png", "the picture"],
             ["choices.png", "which ray comes first"],
         ]),
-        "examples/scenes/mixture.toml",
+        "chapters/ch08_which_ray/shares.toml",
     ),
     card(
         "ch09",
-        "aim_2.png",
+        "lantern.png",
         [
             "gain",
             "rays by chance do the work of one ray with aiming, at a small lamp",
@@ -135,21 +135,21 @@ const CARDS: &[Card] = &[
             ["chance_2.png", "by chance"],
             ["aim_2.png", "aimed at the lamp"],
         ]),
-        "examples/scenes/cornell.toml",
+        "chapters/ch09_aim_at_the_light/lantern.toml",
     ),
     card(
         "ch10",
-        "wall.svg",
+        "steps.png",
         [
             "depths_most",
             "segments of a path where they are longest, and no depth cut",
         ],
         None,
-        "examples/scenes/cornell.toml",
+        "chapters/ch10_roulette/steps.toml",
     ),
     card(
         "ch11",
-        "balance.png",
+        "plates.png",
         [
             "premium",
             "squared means of variance at most, for not knowing which technique is better",
@@ -158,7 +158,7 @@ const CARDS: &[Card] = &[
             ["aiming.png", "aiming alone"],
             ["balance.png", "both, weighted"],
         ]),
-        "examples/scenes/veach.toml",
+        "chapters/ch11_combine/plates.toml",
     ),
     card(
         "ch12",
@@ -172,17 +172,17 @@ const CARDS: &[Card] = &[
     ),
     card(
         "ch13",
-        "all.png",
+        "row.png",
         [
             "variance_sum",
             "is the variance of all six integrals, one by one",
         ],
         Some([["none.png", "no integral"], ["all.png", "all six"]]),
-        "examples/scenes/six.toml",
+        "chapters/ch13_six_integrals/row.toml",
     ),
     card(
         "ch14",
-        "whole.png",
+        "room.png",
         [
             "spheres_words",
             "different words spell the light of a box with two spheres",
@@ -191,11 +191,11 @@ const CARDS: &[Card] = &[
             ["direct.png", "LDE: direct light"],
             ["whole.png", "all paths"],
         ]),
-        "examples/scenes/spheres.toml",
+        "chapters/ch14_alphabet/room.toml",
     ),
     card(
         "ch15",
-        "gathered.png",
+        "hall.png",
         [
             "stays_blocks",
             "% is the error of the patches, which no sample takes away",
@@ -204,7 +204,7 @@ const CARDS: &[Card] = &[
             ["smooth.png", "patches"],
             ["gathered.png", "one more bounce by rays"],
         ]),
-        "examples/scenes/cornell.toml",
+        "chapters/ch15_patches/hall.toml",
     ),
     card(
         "ch16",
@@ -221,7 +221,7 @@ const CARDS: &[Card] = &[
     ),
     card(
         "ch17",
-        "acne_bounded.png",
+        "balls.png",
         [
             "leaving_bounded",
             "of the rays that leave a surface start wrongly, at any scale",
@@ -230,17 +230,17 @@ const CARDS: &[Card] = &[
             ["acne_end.png", "no care"],
             ["acne_bounded.png", "bounded rounding"],
         ]),
-        "chapters/ch17_hard_cases/acne.toml",
+        "chapters/ch17_hard_cases/balls.toml",
     ),
     card(
         "ch18",
-        "required.svg",
+        "pyramid.png",
         [
             "slope_path",
             "is the slope of error against rays, whoever makes the picture",
         ],
         None,
-        "examples/scenes/cornell.toml",
+        "chapters/ch18_cost/pyramid.toml",
     ),
     card(
         "ch19",

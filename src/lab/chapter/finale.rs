@@ -1,12 +1,14 @@
 //! The picture that ends a chapter: of a scene made for it, large, clean and well exposed.
 
 use super::{Desk, DeskError, Number};
-use crate::integrators::Integrator;
+use crate::integrators::{Integrator, Path};
 use crate::output::{Display, Provenance, png_bytes};
 use crate::render::accuracy::{Accuracy, Measure};
+use crate::render::stopping::fewest;
 use crate::render::{Options, Rendered, render};
 use crate::sampling::stream::Sampler;
-use crate::scene::Scene;
+use crate::scene::read::Source;
+use crate::scene::{Scene, gallery};
 
 /// How many times smaller the picture of a quick run is, along each side.
 const SMALLER: u32 = 8;
@@ -20,13 +22,27 @@ pub struct Finale<'a> {
     pub title: &'a str,
     /// Samples per pixel; with `--fine` sixteen times as many.
     pub spp: u32,
-    /// How the samples of a pixel lie to each other.
-    pub sampler: Sampler,
     /// Stops by which the picture is brightened.
     pub stops: f64,
 }
 
 impl Desk {
+    /// Renders a last picture of the chapter by the path tracer, of the text of a scene file; the rays it took.
+    ///
+    /// # Errors
+    ///
+    /// Those of the scene, of [`Desk::finale`], and of writing the picture.
+    pub fn finale_of(
+        &mut self,
+        file: &'static str,
+        text: &str,
+        finale: &Finale,
+    ) -> Result<u64, DeskError> {
+        let scene = gallery::from_text(Source { file, text }, None, |_| {})?;
+        let path = Path::new(scene.suggested.max_depth);
+        Ok(self.finale(&scene, &path, finale)?.rays.total())
+    }
+
     /// Renders a last picture of the chapter in the scene's own size; twice as wide with `--fine`. Its error, by its
     /// own account, is the number `error_of_` with the name of the file.
     pub fn finale(
@@ -45,7 +61,7 @@ impl Desk {
         let options = Options {
             spp: self.spp(finale.spp, finale.spp.div_ceil(2)),
             seed: self.options.seed,
-            sampler: finale.sampler,
+            sampler: Sampler::Sobol,
             ..Options::default()
         };
         let rendered = render(&scene, by, &options, &self.bar(finale.file));
@@ -56,8 +72,13 @@ impl Desk {
         // Where no noise was seen, no error is known.
         if error.is_finite() {
             let name = finale.file.trim_end_matches(".png");
+            // Few samples that lie evenly only bound their error.
+            let most = match options.spp < fewest(options.sampler) {
+                true => "at most, ",
+                false => "",
+            };
             let error = Number::new(
-                &format!("error of {}, by its own account", finale.file),
+                &format!("error of {}, {most}by its own account", finale.file),
                 (100.0 * error).round() / 100.0,
             );
             self.number(&format!("error_of_{name}"), error.unit("%"));
@@ -65,7 +86,7 @@ impl Desk {
         let depth = scene.suggested.max_depth;
         let spp = u64::from(options.spp);
         let facts = Provenance {
-            sampler: finale.sampler,
+            sampler: Sampler::Sobol,
             ..Provenance::new(&scene, &self.record.chapter, depth, spp, options.seed)
         };
         let exposed = Display::Exposed {
