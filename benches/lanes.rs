@@ -8,7 +8,7 @@
 use fearless_simd::Level;
 use halfdisk::color::Rgb;
 use halfdisk::geometry::Ray;
-use halfdisk::integrators::{Integrator, Path, PathInLanes};
+use halfdisk::integrators::{Integrator, Passes, Path, PathInLanes};
 use halfdisk::numeric::lanes::{level_name, levels};
 use halfdisk::render::{Options, Rendered, render};
 use halfdisk::sampling::stream::{Sampler, Stream};
@@ -23,7 +23,7 @@ const SIZE: [u32; 2] = [96, 96];
 /// What a run is told that renders one picture for `valgrind`.
 const RENDER_ONE: &str = "--render-one";
 
-/// `path` from the eye alone, one by one or in lanes by some instructions.
+/// `path`, one by one or in lanes by some instructions.
 struct By {
     path: Path,
     level: Option<Level>,
@@ -37,6 +37,10 @@ impl Integrator for By {
     fn in_lanes<'s>(&self, scene: &'s Scene) -> Option<PathInLanes<'s>> {
         let level = self.level?;
         PathInLanes::new(&self.path, scene).map(|lanes| lanes.by(level))
+    }
+
+    fn passes(&self, scene: &Scene) -> Option<&dyn Passes> {
+        self.path.passes(scene)
     }
 }
 
@@ -66,7 +70,7 @@ fn main() {
 
 fn render_one(name: &str, spp: u32) {
     let scene = gallery::load(name).expect("a scene of the gallery");
-    let path = Path::from_eye(scene.suggested.max_depth);
+    let path = Path::new(scene.suggested.max_depth);
     let level = Some(Level::new());
     let sampler = Sampler::Sobol;
     let options = Options {
@@ -100,7 +104,7 @@ fn instructions(name: &str) -> Option<f64> {
 fn compare(name: &str) {
     let scene = gallery::load(name).expect("a scene of the gallery");
     let scene = scene.sized(SIZE);
-    let path = Path::from_eye(scene.suggested.max_depth);
+    let path = Path::new(scene.suggested.max_depth);
     let ways: Vec<Option<Level>> = std::iter::once(None)
         .chain(levels().into_iter().map(Some))
         .collect();

@@ -50,11 +50,15 @@ pub struct PixelSample {
 impl<'s> PathInLanes<'s> {
     /// `None` for scenes whose paths had better be traced one by one: see [`SceneInLanes::new`].
     pub fn new(path: &Path, scene: &'s Scene) -> Option<Self> {
-        (path.max_depth > 0).then_some(())?;
+        let focuses = scene.kinds() & kinds::SPECULAR != 0;
+        let from_lights = focuses && path.traces_caustics(scene);
+        // Where caustics are looked for from the eye, most vertices would go lane by lane.
+        let guided = focuses && !from_lights && !scene.casters.is_empty();
+        (path.max_depth > 0 && !guided).then_some(())?;
         Some(PathInLanes {
             path: *path,
             scene: SceneInLanes::new(scene)?,
-            from_lights: scene.kinds() & kinds::SPECULAR != 0 && path.traces_caustics(scene),
+            from_lights,
             pinhole: scene.camera.pinhole(),
             level: Level::new(),
         })

@@ -65,6 +65,10 @@ fn whoever_asks_for_path_by_name_gets_lanes() {
     let options = Options::default();
     let by = |scene: Scene| render(&scene.sized([4, 4]), path.as_ref(), &options, &()).lanes;
     assert_eq!(by(scene.clone()), Some(level_name(Level::new())));
+    let spheres = gallery::load("spheres").expect("a scene");
+    assert!(PathInLanes::new(&Path::new(8), &spheres).is_some());
+    let from_eye = PathInLanes::new(&Path::from_eye(8), &spheres);
+    assert!(from_eye.is_none(), "most of its vertices are guided");
     let moving = gallery::load("motion").expect("a scene");
     assert_eq!(by(moving), None, "what moves is traced one by one");
 }
