@@ -15,6 +15,7 @@ impl Visit for Matrix {
         let mut text = format!("{:02} {}\n", exam.entry.number, exam.entry.name);
         for (mistake, own) in exam.mistakes.iter().zip(table) {
             let report = exam.grade(&mistake.answer, 1);
+            println!("{report}");
             assert_eq!(report.verdict, Verdict::Named, "{report}");
             assert_eq!(report.mistakes[0], mistake.name, "{report}");
             assert!(

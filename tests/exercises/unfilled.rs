@@ -9,7 +9,7 @@ use std::process::{Command, Output};
 /// The library that this test was built with: the newest beside it.
 fn library() -> (PathBuf, PathBuf) {
     let program = std::env::current_exe().unwrap();
-    let folder = program.parent().unwrap().to_path_buf();
+    let folder = program.ancestors().nth(2).unwrap().join("deps");
     let built = |path: &Path| fs::metadata(path).unwrap().modified().unwrap();
     let files = fs::read_dir(&folder)
         .unwrap()

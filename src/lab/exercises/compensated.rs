@@ -89,17 +89,6 @@ pub fn exam() -> Exam<Mean> {
                 |samples| sum(samples, |x, lost| x + lost, |next, sum, x| (next - sum) - x),
             ),
             slip(
-                "the running mean",
-                "that a running mean rounds as well: its steps get smaller than its spacing",
-                |samples| {
-                    let mut mean = 0.0;
-                    for (i, x) in samples.iter().enumerate() {
-                        mean += (x - mean) / (i + 1) as f32;
-                    }
-                    mean
-                },
-            ),
-            slip(
                 "sum for mean",
                 "to divide by the number of samples",
                 |samples| {

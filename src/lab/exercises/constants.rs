@@ -3,11 +3,8 @@
 use std::f64::consts::{FRAC_1_PI, FRAC_2_PI, FRAC_PI_2, FRAC_PI_4, PI, SQRT_2, TAU};
 
 /// The constants, and how they are written.
-const NAMED: [(f64, &str); 17] = [
-    (2.0, "2"),
+const NAMED: [(f64, &str); 14] = [
     (0.5, "1/2"),
-    (3.0, "3"),
-    (4.0, "4"),
     (0.25, "1/4"),
     (-1.0, "a wrong sign"),
     (PI, "π"),

@@ -219,27 +219,20 @@ impl<A> Exam<A> {
         wrong: &[usize],
         table: &[Vec<Reading>],
     ) -> Option<Finding> {
-        let asked: Vec<usize> = (0..readings.len())
-            .filter(|&i| self.questions[i].multiplies())
-            .collect();
-        if !asked.iter().any(|i| wrong.contains(i)) {
+        if !wrong.iter().any(|&i| self.questions[i].multiplies()) {
             return None;
         }
+        let apart = |a: usize, b: usize| {
+            let asked = self.questions.iter().zip(readings).enumerate();
+            let z = asked.filter_map(|(i, (question, reading))| {
+                let both = question.both(&table[a][i], &table[b][i])?;
+                Some(question.between(reading, &both))
+            });
+            z.fold(0.0, f64::max)
+        };
         let pairs = (0..table.len()).flat_map(|a| (a + 1..table.len()).map(move |b| (a, b)));
         let best = pairs
-            .map(|(a, b)| {
-                let z = asked.iter().map(|&i| {
-                    let truth = self.questions[i].truth;
-                    let [x, y] = [&table[a][i], &table[b][i]];
-                    let both = Reading {
-                        value: x.value * y.value / truth,
-                        error: libm::hypot(x.error * y.value, y.error * x.value) / truth.abs(),
-                        ..*x
-                    };
-                    self.questions[i].between(&readings[i], &both)
-                });
-                (a, b, z.fold(0.0, f64::max))
-            })
+            .map(|(a, b)| (a, b, apart(a, b)))
             .min_by(|x, y| x.2.total_cmp(&y.2))?;
         let (a, b, z) = best;
         let [a, b] = [a, b].map(|k| &self.mistakes[k]);

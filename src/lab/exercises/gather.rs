@@ -33,6 +33,10 @@ const ASKED: [&str; 5] = [
     "a white surface under a sky that shadow rays do not find",
 ];
 
+/// Two mistakes that are the same numbers in another order.
+const AS_PRINTED: &str = "formula as printed";
+const OF_SPACE: &str = "1/pi of space";
+
 /// Its questions and mistakes.
 pub fn exam() -> Exam<Gather> {
     let asked = questions().into_iter().filter(|exam| exam.bounces == 1);
@@ -44,15 +48,20 @@ pub fn exam() -> Exam<Gather> {
     };
     let slip = |variant: mistakes::Variant| Mistake {
         name: variant.name,
-        forgot: variant.forgot,
+        forgot: match variant.name {
+            AS_PRINTED => {
+                "both the density and the Lambert constant: albedo · (1/N) Σ L cos θ; or you took the 1/π of \
+                 space for the 1/2 of the flat world, which reads the same"
+            }
+            _ => variant.forgot,
+        },
         answer: Arc::new(move |p: &mut Patient<Flat>| p.ask(&variant)) as Gather,
     };
+    let known = mistakes::all(Dimension::Flat).into_iter();
+    let known = known.filter(|variant| variant.name != OF_SPACE);
     Exam::new(
         &ENTRY,
         asked.zip(ASKED).map(ask).collect(),
-        mistakes::all(Dimension::Flat)
-            .into_iter()
-            .map(slip)
-            .collect(),
+        known.map(slip).collect(),
     )
 }

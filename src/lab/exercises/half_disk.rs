@@ -137,14 +137,6 @@ pub fn exam() -> Exam<FlatSampler> {
                     ..right
                 },
             ),
-            mistake(
-                "degrees",
-                "that sine and cosine take radians",
-                FlatSampler {
-                    sample: |u| of_angle(180.0 * u),
-                    ..right
-                },
-            ),
         ],
     )
 }

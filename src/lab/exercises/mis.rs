@@ -135,8 +135,8 @@ pub fn exam() -> Exam<Both> {
                 |lamp, u| sum(lamp, u, |pdf, i| pdf[i] * pdf[i] / (pdf[0] + pdf[1])),
             ),
             slip(
-                "half of the lamp's density",
-                "that the lamp reaches to both sides: its density is that over 2a",
+                "half of the lamp",
+                "that the lamp reaches to both sides: your density of aiming is twice what it is, over half of the lamp",
                 |lamp, u| {
                     sum(lamp, u, |[p, q], i| {
                         let q = 2.0 * q;

@@ -207,7 +207,7 @@ pub fn exam() -> Exam<Direct> {
             ),
             slip(
                 "distance forgotten",
-                "the squared distance in the geometry term",
+                "the squared distance: cosines are those of unit vectors, and the geometry term still has its 1/r²",
                 |l, p, n, u| with(l, p, n, u, |x| product(Parts { r2: 1.0, ..x })),
             ),
             slip(
@@ -288,20 +288,6 @@ pub fn exam() -> Exam<Direct> {
                     with(l, p, n, u, |x| match x.visible {
                         true => x.li * x.cos * x.cos_lamp * x.area / x.r2,
                         false => 0.0,
-                    })
-                },
-            ),
-            slip(
-                "direction not normalised",
-                "to make the direction a unit vector: the dot products have a length in them",
-                |l, p, n, u| {
-                    with(l, p, n, u, |x| {
-                        let r = x.r2.sqrt();
-                        product(Parts {
-                            cos: x.cos * r,
-                            cos_lamp: x.cos_lamp * r,
-                            ..x
-                        })
                     })
                 },
             ),

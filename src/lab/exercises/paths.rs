@@ -2,7 +2,7 @@
 
 use super::exam::mistake;
 use super::{Entry, Exam, Question};
-use crate::notation::{Expression, Letter};
+use crate::notation::{Expression, Letter, Word};
 
 /// Two sets of light paths, each as an expression in Heckbert's letters.
 #[derive(Clone, Copy, Debug)]
@@ -62,6 +62,14 @@ fn surplus(has: &str, lacks: &str) -> f64 {
     words().iter().filter(differs).count() as f64
 }
 
+/// 1 where a word is in an expression, 0 where it is not; NaN where that is none.
+fn accepts(expression: &str, word: &str) -> f64 {
+    let (Ok(expression), Some(word)) = (Expression::parse(expression), Word::read(word)) else {
+        return f64::NAN;
+    };
+    f64::from(u8::from(expression.light_first().accepts(&word.0)))
+}
+
 /// The shortest word that is in the first expression and not in the second, or why there is none.
 fn for_instance(has: &str, lacks: &str) -> String {
     match (Expression::parse(has), Expression::parse(lacks)) {
@@ -83,6 +91,9 @@ pub fn exam() -> Exam<Paths> {
     let surplus = |what, part: fn(&Paths) -> &'static str, right: &'static str| {
         Question::exact(what, 0.0, move |a: &Paths| surplus(part(a), right))
             .noted(move |a| for_instance(part(a), right))
+    };
+    let has = |what, part: fn(&Paths) -> &'static str| {
+        Question::exact(what, 0.0, move |a: &Paths| accepts(part(a), "LSDE"))
     };
     let [whitted, caustic] = RIGHT;
     let right = Paths {
@@ -113,6 +124,9 @@ pub fn exam() -> Exam<Paths> {
                 |a| (a.whitted)(),
                 whitted,
             ),
+            has("the word LSDE in your first expression (1 or 0)", |a| {
+                (a.whitted)()
+            }),
             lacking(
                 "the number of caustics in mirrors, with at most six surfaces, that your expression lacks",
                 |a| (a.mirrored_caustic)(),
@@ -123,6 +137,9 @@ pub fn exam() -> Exam<Paths> {
                 |a| (a.mirrored_caustic)(),
                 caustic,
             ),
+            has("the word LSDE in your second expression (1 or 0)", |a| {
+                (a.mirrored_caustic)()
+            }),
         ],
         vec![
             first(

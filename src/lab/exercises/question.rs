@@ -53,6 +53,8 @@ pub struct Reading {
     pub draws: u64,
     /// So many were no finite numbers, or happened though they may never.
     pub broken: u64,
+    /// Which of the first draws, the corners of the unit square, are among these, as bits.
+    pub corners: u32,
     /// The first of these: its first two uniforms.
     pub first: Option<[f32; 2]>,
     /// The same random numbers gave another result when they came again.
@@ -162,16 +164,21 @@ impl<A> Question<A> {
                     0..4 => Draw::corner(seed, i),
                     _ => Draw::new(seed, i),
                 };
-                let mut hits = (0..self.samples).filter(|&i| draw(answer, &mut at(i)));
-                let first = hits.next();
-                let broken = u64::from(first.is_some()) + hits.count() as u64;
-                let draws = u64::from(self.samples);
+                let hits = (0..self.samples).filter(|&i| draw(answer, &mut at(i)));
+                let hits: Vec<u32> = hits.collect();
+                let corners = hits
+                    .iter()
+                    .filter(|&&i| i < 4)
+                    .fold(0, |bits, i| bits | 1 << i);
+                let others = hits.len() as u32 - u32::count_ones(corners);
+                let draws = f64::from(self.samples);
                 Reading {
-                    value: broken as f64 / draws as f64,
-                    error: (broken.max(1) as f64).sqrt() / draws as f64,
-                    draws,
-                    broken,
-                    first: first.map(|i| at(i).two()),
+                    value: f64::from(others) / draws,
+                    error: f64::from(others.max(1)).sqrt() / draws,
+                    draws: self.samples.into(),
+                    broken: hits.len() as u64,
+                    corners,
+                    first: hits.first().map(|&i| at(i).two()),
                     wavers: false,
                 }
             }
@@ -223,18 +230,45 @@ impl<A> Question<A> {
             return 0.0;
         }
         let off = (a.value - b.value).abs() / error(a, b);
-        let is_never = matches!(self.kind, Kind::Never(_));
-        let share = |r: &Reading| r.broken as f64 / r.draws.max(1) as f64;
-        match is_never {
-            true => off,
+        let none = |r: &Reading| r.value == 0.0;
+        match self.kind {
+            // Only corners are hit: these are the same draws for everyone.
+            Kind::Never(_) if none(a) && none(b) && a.corners != b.corners => f64::INFINITY,
+            Kind::Never(_) => off,
+            _ if a.broken == 0 && b.broken == 0 => off,
+            Kind::Exact(_) if a.broken != b.broken => f64::INFINITY,
             // What is broken now and then is so about as often.
-            false if share(a).max(share(b)) > 0.0 => {
-                let broken = (share(a) - share(b)).abs();
+            _ => {
+                let share = |r: &Reading| r.broken as f64 / r.draws.max(1) as f64;
                 let noise = (a.broken + b.broken) as f64 / (a.draws * b.draws).max(1) as f64;
-                broken / noise.sqrt()
+                (share(a) - share(b)).abs() / noise.sqrt()
             }
-            false => off,
         }
+    }
+
+    /// What is read of an answer with both of two slips, from what is read with each; `None` where nobody knows.
+    ///
+    /// Factors multiply. What should be 0 adds up, and what may never happen happens by either.
+    pub(super) fn both(&self, a: &Reading, b: &Reading) -> Option<Reading> {
+        let (value, error) = match self.kind {
+            Kind::Fit(_) | Kind::Variance { .. } => return None,
+            Kind::Never(_) => (
+                a.value + b.value - a.value * b.value,
+                libm::hypot(a.error, b.error),
+            ),
+            _ if self.truth == 0.0 => (a.value + b.value, libm::hypot(a.error, b.error)),
+            _ => (
+                a.value * b.value / self.truth,
+                libm::hypot(a.error * b.value, b.error * a.value) / self.truth.abs(),
+            ),
+        };
+        Some(Reading {
+            value,
+            error,
+            broken: a.broken.max(b.broken),
+            corners: a.corners | b.corners,
+            ..*a
+        })
     }
 
     /// True where what two slips do to the reading multiplies.
@@ -280,6 +314,9 @@ impl<A> Question<A> {
                 "{what}: {} of {} draws are not finite numbers{at}.{note}",
                 reading.broken, reading.draws
             ),
+            Kind::Fit(_) if reading.value < 1e-99 => {
+                format!("{what}: a chi-square test gives them the probability 0.{note}")
+            }
             Kind::Fit(_) => format!(
                 "{what}: a chi-square test gives them the probability {:.1e}.{note}",
                 reading.value
