@@ -187,7 +187,8 @@ impl<A> Exam<A> {
             "None of {} known mistakes reads this, nor do two of them.",
             self.mistakes.len()
         );
-        for &i in wrong.iter().skip(1).take(2) {
+        let further = wrong.iter().skip(1).filter(|&&i| readings[i].broken == 0);
+        for &i in further.take(2) {
             let reading = &readings[i];
             said += &format!(
                 " {} is wrong as well ({} for {}).",

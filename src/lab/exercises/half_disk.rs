@@ -77,7 +77,7 @@ pub fn exam() -> Exam<FlatSampler> {
             ),
             mistake(
                 "density upside down",
-                "that twice as many radians have half the density: it is 1/π and not π",
+                "that the density is one over the π radians above the surface, and not π",
                 FlatSampler {
                     pdf: |w| if w.y >= 0.0 { PI } else { 0.0 },
                     ..right

@@ -297,9 +297,10 @@ impl<A> Question<A> {
         };
         let note = self.note.as_ref().map_or_else(String::new, |n| n(answer));
         let what = upper(self.what);
+        let named = what.trim_end_matches(',');
         if reading.wavers {
             return format!(
-                "{what}: the same random numbers give another result when they come again. Use only those that you are given."
+                "{named}: the same random numbers give another result when they come again. Use only those that you are given."
             );
         }
         match self.kind {
@@ -311,7 +312,7 @@ impl<A> Question<A> {
                 format!("{what} is not a finite number.{note}")
             }
             _ if reading.broken > 0 => format!(
-                "{what}: {} of {} draws are not finite numbers{at}.{note}",
+                "{named}: {} of {} draws are not finite numbers{at}.{note}",
                 reading.broken, reading.draws
             ),
             Kind::Fit(_) if reading.value < 1e-99 => {
