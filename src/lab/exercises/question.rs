@@ -14,9 +14,13 @@ const ROUNDING: f64 = 3e-6;
 
 type Boxed<I, O> = Box<dyn Fn(&I, &mut Draw) -> O + Send + Sync>;
 
+type Asked<A, O> = Box<dyn Fn(&A) -> O + Send + Sync>;
+
+type Test<A> = Box<dyn Fn(&A, u64) -> ChiSquare + Send + Sync>;
+
 enum Kind<A> {
     /// A number without noise.
-    Exact(Box<dyn Fn(&A) -> f64 + Send + Sync>),
+    Exact(Asked<A, f64>),
     /// The mean of draws.
     Mean(Boxed<A, f64>),
     /// What may never happen.
@@ -27,7 +31,7 @@ enum Kind<A> {
         draw: Boxed<A, (f64, f64)>,
     },
     /// Do samples follow a density?
-    Fit(Box<dyn Fn(&A, u64) -> ChiSquare + Send + Sync>),
+    Fit(Test<A>),
 }
 
 /// One thing that is asked of an answer of type `A`.
@@ -39,7 +43,7 @@ pub struct Question<A> {
     kind: Kind<A>,
     samples: u32,
     /// More about a wrong answer.
-    note: Option<Box<dyn Fn(&A) -> String + Send + Sync>>,
+    note: Option<Asked<A, String>>,
 }
 
 /// What an answer reads.
