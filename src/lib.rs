@@ -32,7 +32,8 @@
 //! 8. [`render`]: the pixel loop and the film; [`output`]: pictures as files
 //! 9. [`lab`]: the laboratory, which the modules above never use: [`lab::effects`], what a scene calls
 //!    for; [`lab::estimators`], smaller questions than a picture; [`lab::mistakes`] and [`lab::doctor`],
-//!    wrong estimators and how to tell them; [`lab::experiment`], repeated runs that end in data;
+//!    wrong estimators and how to tell them; [`lab::exercises`], answers that are graded by what they read;
+//!    [`lab::experiment`], repeated runs that end in data;
 //!    [`lab::drawing`] and [`lab::figures`], charts; [`lab::chapter`] and [`lab::ledger`], what chapters share
 //! 10. [`cli`]: the command
 //!

@@ -17,6 +17,7 @@ mod contacts;
 mod cost;
 mod determinism;
 mod effects;
+mod exercises;
 mod exposure;
 mod figures;
 mod film;

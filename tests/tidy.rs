@@ -17,7 +17,7 @@ const FLOORS: &[&[&str]] = &[
     &["render", "output"],
     &["lab::naive", "lab::effects"],
     &["lab::mistakes", "lab::doctor", "lab::estimators"],
-    &["lab::experiment"],
+    &["lab::experiment", "lab::exercises"],
     &["lab::figures", "lab::ledger", "lab::chapter"],
     &["cli"],
 ];

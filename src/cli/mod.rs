@@ -13,6 +13,7 @@ mod cost;
 mod demand;
 mod doctor;
 mod effects;
+mod exercises;
 mod exposure;
 mod info;
 mod left_out;
@@ -64,7 +65,8 @@ Start here:
   halfdisk info mine.exr               how was it made, and how is it made again?
   halfdisk converge half-disk         how fast does its error fall?
   halfdisk cost cornell               what does accuracy cost?
-  halfdisk doctor                     what do the usual mistakes read?";
+  halfdisk doctor                     what do the usual mistakes read?
+  halfdisk exercises                  write it yourself; the checker names the mistake";
 
 #[derive(Debug, Subcommand)]
 enum Action {
@@ -84,6 +86,8 @@ enum Action {
     Cost(cost::Cost),
     /// Name the mistake behind a wrong reading, or list the mistakes
     Doctor(doctor::Doctor),
+    /// Exercises whose checker names the mistake
+    Exercises(exercises::Exercises),
     /// Say what a scene calls for and why, what is left out and why, and what each effect costs
     Effects(effects::EffectsOf),
     /// Sort a scene's light by its paths, written as words
@@ -111,6 +115,7 @@ impl Command {
             Action::Converge(converge) => converge.run(),
             Action::Cost(cost) => cost.run(),
             Action::Doctor(doctor) => doctor.run(),
+            Action::Exercises(exercises) => exercises.run(),
             Action::Effects(effects) => effects.run(),
             Action::Classify(classify) => classify.run(),
             Action::Completions(completions) => completions.run(),
@@ -118,6 +123,7 @@ impl Command {
         match result {
             Ok(()) => ExitCode::SUCCESS,
             Err(Stop::Interrupted) => ExitCode::from(interrupted_code()),
+            Err(Stop::NotRight) => ExitCode::FAILURE,
             Err(Stop::Input(what)) => {
                 tell(format_args!("error: {what}"));
                 ExitCode::from(2)
@@ -139,6 +145,8 @@ enum Stop {
     Failure(String),
     /// Ctrl-C, or a request to terminate: exit code 130 or 143.
     Interrupted,
+    /// An exercise is not right, as its report says: exit code 1.
+    NotRight,
 }
 
 /// Says that a program built without optimisation is slow.

@@ -4,6 +4,7 @@
 pub mod doctor;
 pub mod effects;
 pub mod estimators;
+pub mod exercises;
 pub mod experiment;
 pub mod mistakes;
 pub mod naive;

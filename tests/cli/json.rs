@@ -1,6 +1,8 @@
 //! The JSON of the commands, key by key, against the page of the book that describes it.
 
 use super::{SCENE, complaint, folder, halfdisk};
+use halfdisk::glam::Vec2;
+use halfdisk::lab::exercises::{Report, Verdict, turn};
 use serde_json::Value;
 use std::collections::{BTreeMap, BTreeSet};
 use std::path::Path;
@@ -146,6 +148,26 @@ fn seen(folder: &Path, runs: &[&str]) -> Keys {
     keys
 }
 
+/// The keys of graded exercises: a right one, a wrong one that prints something, and one that does not compile.
+fn graded() -> Keys {
+    let mut keys = Keys::new();
+    let exam = turn::exam();
+    let right: turn::ToWorld = |n, w| Vec2::new(n.y, -n.x) * w.x + n * w.y;
+    let reports = [
+        exam.grade(&right, 1),
+        exam.grade(&exam.mistakes[0].answer, 1),
+        Report::unasked(exam.entry, Verdict::NotBuilt, "no".to_owned()),
+    ];
+    for (report, printed) in reports.iter().zip(["", "printed", ""]) {
+        note(
+            &serde_json::to_value(report.results(printed)).unwrap(),
+            "",
+            &mut keys,
+        );
+    }
+    keys
+}
+
 #[test]
 fn the_page_lists_every_key_of_every_command_with_its_types() {
     let page = concat!(env!("CARGO_MANIFEST_DIR"), "/book/src/json.md");
@@ -160,8 +182,9 @@ fn the_page_lists_every_key_of_every_command_with_its_types() {
         let words: Vec<&str> = made.split(' ').collect();
         assert!(halfdisk(folder.path(), &words).status.success());
     }
-    let commands: [(&str, &[&str]); 10] = [
+    let commands: [(&str, &[&str]); 11] = [
         ("scenes", &["scenes"]),
+        ("exercises", &["exercises"]),
         ("doctor", &["doctor --space flat"]),
         (
             "doctor --reading",
@@ -215,9 +238,16 @@ fn the_page_lists_every_key_of_every_command_with_its_types() {
         let apart = apart(&whole(&tables, command), &seen(folder.path(), runs));
         wrong.extend(apart.into_iter().map(|what| format!("{command}: {what}")));
     }
+    let apart = apart(&whole(&tables, "exercises check"), &graded());
+    wrong.extend(
+        apart
+            .into_iter()
+            .map(|what| format!("exercises check: {what}")),
+    );
     assert!(wrong.is_empty(), "{wrong:#?}");
     // Every table belongs to a command or is a shape of one.
     let shapes = [
+        "exercises check",
         "measurement",
         "facts",
         "fit",

@@ -7,6 +7,7 @@ mod commands;
 mod converge;
 mod cost;
 mod doctor;
+mod exercises;
 mod interrupts;
 mod json;
 mod left_out;

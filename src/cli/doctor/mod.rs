@@ -4,7 +4,7 @@ mod list;
 mod typed;
 
 use super::Stop;
-use super::answer::answer;
+use super::answer::{answer, for_terminal};
 use crate::lab::chapter::whole;
 use crate::lab::doctor::{Diagnosis, Reading, diagnose};
 use crate::lab::mistakes::{Exam, Variant};
@@ -12,7 +12,6 @@ use crate::space::Dimension;
 use clap::{Args, ValueEnum};
 use serde::Serialize;
 use std::fmt::{self, Display, Formatter};
-use std::io::IsTerminal;
 use typed::{Typed, albedo, error, tilt};
 
 /// Name the mistake behind a wrong reading, or list the mistakes.
@@ -130,19 +129,6 @@ impl Doctor {
         };
         self.reading.iter().enumerate().map(reading).collect()
     }
-}
-
-/// The widest text that is easy to read.
-const WIDEST: usize = 100;
-
-/// Lines as wide as the terminal, if it is one that reads; else as they are.
-fn for_terminal(text: &str) -> String {
-    if !std::io::stdout().is_terminal() {
-        return text.to_owned();
-    }
-    let width = textwrap::termwidth().min(WIDEST);
-    let options = textwrap::Options::new(width).subsequent_indent("    ");
-    textwrap::wrap(text.trim_end(), options).join("\n") + "\n"
 }
 
 /// The value of an option for the reading at place `i`: its own, or the one given for all.

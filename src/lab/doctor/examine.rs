@@ -1,7 +1,7 @@
 //! Taking readings from somebody's own estimator.
 
 use super::{Diagnosis, Reading, diagnose, questions};
-use crate::lab::mistakes::Exam;
+use crate::lab::mistakes::{Exam, Variant};
 use crate::sampling::stream::{Numbers, Purpose, Stream};
 use crate::space::Space;
 use crate::stats::Estimate;
@@ -15,12 +15,30 @@ pub struct Patient<S: Space> {
     pub albedo: f32,
     /// How many directions to gather from.
     pub samples: u32,
-    /// True where shadow rays find the sky.
-    aimed: bool,
+    exam: Exam,
     numbers: Numbers,
 }
 
 impl<S: Space> Patient<S> {
+    /// The surface of an exam, which is seen once, with these random numbers.
+    pub fn new(exam: &Exam, numbers: Numbers) -> Self {
+        Patient {
+            normal: S::tilted(exam.tilt),
+            albedo: exam.albedo,
+            samples: exam.samples,
+            exam: Exam {
+                bounces: 1,
+                ..*exam
+            },
+            numbers,
+        }
+    }
+
+    /// What a known estimator, right or wrong, reads in its place.
+    pub fn ask(&mut self, variant: &Variant) -> f32 {
+        variant.gather(&self.exam, &mut self.numbers) as f32
+    }
+
     /// Random numbers in `[0, 1)`: one of them in the flat world, two in space.
     pub fn random(&mut self) -> S::Uniforms {
         S::uniforms(&mut self.numbers)
@@ -33,7 +51,11 @@ impl<S: Space> Patient<S> {
 
     /// What shadow rays find: `∫ L cos θ dω` over the sky where one can aim at it, 0 elsewhere.
     pub fn shadow_rays(&self) -> f32 {
-        if self.aimed { 1.0 / S::LAMBERT } else { 0.0 }
+        if self.exam.aimed {
+            1.0 / S::LAMBERT
+        } else {
+            0.0
+        }
     }
 }
 
@@ -63,14 +85,8 @@ pub fn examine<S: Space>(mut estimator: impl FnMut(&mut Patient<S>) -> f32) -> D
     let read = |exam: Exam| {
         let estimate: Estimate = (0..GATHERS)
             .map(|i| {
-                let mut patient = Patient {
-                    normal: S::tilted(exam.tilt),
-                    albedo: exam.albedo,
-                    samples: exam.samples,
-                    aimed: exam.aimed,
-                    numbers: Stream::new(SEED, i, 0).at(0, Purpose::Direction),
-                };
-                f64::from(estimator(&mut patient))
+                let numbers = Stream::new(SEED, i, 0).at(0, Purpose::Direction);
+                f64::from(estimator(&mut Patient::new(&exam, numbers)))
             })
             .collect();
         Reading {
