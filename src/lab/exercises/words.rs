@@ -50,7 +50,7 @@ mod tests {
                 ..Reading::default()
             })
         };
-        assert_eq!(reading(0.636_62, 0.001_2), "0.6366 ± 0.0012");
+        assert_eq!(reading(0.625_12, 0.001_2), "0.6251 ± 0.0012");
         assert_eq!(reading(12.75, 0.3), "12.75 ± 0.30");
         assert_eq!(reading(0.5, 0.0), "0.5");
         for (x, text) in [
