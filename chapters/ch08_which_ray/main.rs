@@ -69,7 +69,7 @@ fn work(desk: &mut Desk) -> Result<Ledger, DeskError> {
         max_depth: 32,
         choice: Choice::ByMean,
     };
-    let paths = desk.choose(120_000, 60_000);
+    let paths = desk.choose(120_000, 100_000);
     let straight = slab.camera.ray(0.5, 0.5);
     let one = |i| {
         let mut tracer = Tracer::new(&slab);

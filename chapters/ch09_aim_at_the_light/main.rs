@@ -32,7 +32,7 @@ fn work(desk: &mut Desk) -> Result<Ledger, DeskError> {
     // The room is dim for a screen: shown with twice the light.
     desk.expose(1.0);
     // One lamp that shrinks over one surface: by chance until so many walks have found it.
-    let finds = desk.choose(4_000.0, 3_000.0);
+    let finds = desk.choose(5_000.0, 4_000.0);
     let (of_sweep, rays_sweep) = figures::sweep(desk, finds)?;
 
     rate::chart(desk)?;
