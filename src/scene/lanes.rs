@@ -46,7 +46,11 @@ impl<'s> SceneInLanes<'s> {
     /// `None` where paths had better be traced one by one: where something moves, is an instance of a mesh or lies
     /// within rounding of a light, where nothing is diffuse and of one colour, and where nothing shines.
     pub fn new(scene: &'s Scene) -> Option<Self> {
-        let still = scene.transformed.is_none() && scene.contacts.is_none();
+        let transforms = scene
+            .transformed
+            .as_ref()
+            .is_some_and(|shapes| !shapes.is_empty());
+        let still = !transforms && scene.contacts.is_none();
         let is_diffuse = |object: &Object| diffuse_albedo(object).is_some();
         let lit = !scene.is_dark() && scene.objects.iter().any(is_diffuse);
         (still && lit).then_some(())?;

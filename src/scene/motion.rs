@@ -75,6 +75,11 @@ impl TransformedShapes {
         !self.moving.is_empty()
     }
 
+    /// True where there is nothing.
+    pub(super) fn is_empty(&self) -> bool {
+        self.object_of_shape.is_empty()
+    }
+
     /// Motion of nothing, beside some lights that stand still.
     pub(super) fn of_nothing(lights: usize) -> TransformedShapes {
         TransformedShapes {

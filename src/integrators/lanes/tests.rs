@@ -74,6 +74,22 @@ fn whoever_asks_for_path_by_name_gets_lanes() {
 }
 
 #[test]
+fn effects_at_no_strength_change_no_bit_and_keep_the_lanes() {
+    for name in ["cornell", "mesh"] {
+        let scene = gallery::load(name).expect("a scene").sized([18, 14]);
+        let path = Path::new(8);
+        let options = Options {
+            spp: 9,
+            ..Options::default()
+        };
+        let plain = render(&scene, &By(path, None), &options, &());
+        let all = render(&scene.with_all_effects(), &path, &options, &());
+        assert_same(&all, &plain, name);
+        assert!(all.lanes.is_some(), "{name}");
+    }
+}
+
+#[test]
 fn few_samples_depths_and_threads_change_no_bit() {
     let scene = gallery::load("spheres").expect("a scene").sized([33, 5]);
     for (max_depth, spp) in [(0, 3), (1, 1), (2, 70), (40, 3)] {
