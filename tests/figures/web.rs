@@ -22,7 +22,8 @@ const LISTS: [List; 11] = [
     ("darts", darts::DARTS, darts::run),
     ("board", darts::DARTS, darts::board),
 ];
-const INPUTS: u32 = 1000;
+/// So many for each list: the larger part of what the comparison takes.
+const INPUTS: u32 = 250;
 
 /// What the book's tool asks cargo for.
 const BUILD: &str = "--config book/figures/web.toml rustc --release --target wasm32-unknown-unknown \
