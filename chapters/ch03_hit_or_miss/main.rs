@@ -51,13 +51,8 @@ fn work(desk: &mut Desk) -> Result<Ledger, DeskError> {
         ("mean", &heights, 32.0 / 3.0 - PI * PI),
     ] {
         let (value, error) = (mean.mean(), mean.std_error());
-        let says = format!("pi, by {name}");
-        compared.add(checked(
-            desk,
-            &format!("pi_{name}"),
-            &says,
-            [value, error, PI],
-        ));
+        let (key, says) = (format!("pi_{name}"), format!("pi, by {name}"));
+        compared.add(checked(desk, &key, &says, [value, error, PI]));
         let sigma = variance.mean().sqrt();
         let found = [sigma, variance.std_error() / (2.0 * sigma), exact.sqrt()];
         let says = "  standard deviation of one sample";

@@ -24,7 +24,8 @@ fn width_in_the_book(figure: &str) -> f64 {
     let pages = Path::new(env!("CARGO_MANIFEST_DIR")).join("book/src");
     for page in fs::read_dir(pages).unwrap() {
         let text = fs::read_to_string(page.unwrap().path()).unwrap_or_default();
-        let mut directives = text.lines().filter(|line| line.starts_with("{{#figure"));
+        let shows = |line: &&str| line.starts_with("{{#figure") || line.starts_with("{{#live");
+        let mut directives = text.lines().filter(shows);
         if let Some(line) = directives.find(|line| line.contains(figure)) {
             let files = line.matches(&figure[..5]).count();
             assert!(
