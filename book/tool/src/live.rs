@@ -158,7 +158,7 @@ fn answer(command: &mut Command) -> Result<String, String> {
     }
 }
 
-/// A message of cargo, of which only files are of interest.
+/// A message of cargo: only the files it names are read.
 #[derive(Deserialize)]
 struct Message {
     #[serde(default)]
