@@ -90,7 +90,7 @@ fn build(project: &Project, exercise: &Entry, json: bool) -> Result<Result<PathB
         true => command.arg("--quiet"),
         false => {
             tell(
-                "note: the first build of a folder takes a minute or two; a further one takes a second",
+                "note: the first build of a folder takes two or three minutes; a further one takes a second",
             );
             &mut command
         }

@@ -43,7 +43,7 @@ Start here:
   halfdisk exercises hint 1          one hint more each time
   halfdisk exercises solution 1      once yours is right
 
-A folder of exercises is a cargo project. Its first build takes a minute or two, a further one a second; it needs no network.
+A folder of exercises is a cargo project. Its first build takes two or three minutes, a further one a second; it needs no network.
 
 Exit codes of `check`: 0 right, 1 not right (or not written, not compiled, too slow), 2 bad usage.";
 
