@@ -22,6 +22,9 @@ pub struct QuadInLanes {
     middle: Vec3,
     /// Square of the distance beyond which it is sampled by area.
     far: f32,
+    /// No light reaches points that are not farther along its normal: those certainly behind all corners. Minus infinity
+    /// for a light with two sides.
+    front: f64,
 }
 
 /// Sixteen points of surfaces, with their normals on the side from which light is looked for.
@@ -79,9 +82,20 @@ impl QuadInLanes {
     /// The same light.
     pub fn new(light: &QuadLight) -> Self {
         let (middle, far) = light.by_area_beyond();
+        let (corners, surface) = (light.quad().corners(), light.quad().surface_at(0.5, 0.5));
+        let n = surface.n.as_dvec3();
+        let lowest = corners
+            .map(|corner| n.dot(corner.as_dvec3()))
+            .into_iter()
+            .fold(f64::INFINITY, f64::min);
+        let front = match light.is_two_sided() {
+            true => f64::NEG_INFINITY,
+            false => lowest - n.abs().dot(surface.error.as_dvec3()),
+        };
         QuadInLanes {
-            corners: light.quad().corners(),
-            surface: light.quad().surface_at(0.5, 0.5),
+            corners,
+            surface,
+            front,
             radiance: light.radiance(),
             two_sided: light.is_two_sided(),
             area: f64::from(light.quad().area()),
@@ -90,11 +104,13 @@ impl QuadInLanes {
         }
     }
 
-    /// Lanes so near the light that it is sampled by solid angle.
+    /// Lanes before the light and so near that it is sampled by solid angle.
     #[inline(always)]
     pub fn is_near<S: Simd>(&self, s: S, from: &Points<S>) -> Mask<S> {
         let apart = Vector::splat(s, self.middle) - from.p;
-        !apart.dot(apart).simd_ge(floats(s, self.far))
+        let n = Vector::splat(s, self.surface.n).widen();
+        let before = from.p.widen().dot(n).gt(Wides::splat(s, self.front));
+        before & !apart.dot(apart).simd_ge(floats(s, self.far))
     }
 
     /// A point of it, by area.
@@ -219,6 +235,7 @@ mod tests {
                         let plain = light.sample_area(&from, u);
                         assert_eq!(has >> lane & 1 == 1, plain.is_some(), "{level:?}");
                         near += is_near >> lane & 1;
+                        // Far away and behind.
                         if is_near >> lane & 1 == 0 {
                             let whole = light.sample(&from, u).map(|l| l.shadow_ray.direction);
                             assert_eq!(whole, plain.map(|l| l.shadow_ray.direction));

@@ -109,6 +109,9 @@ impl QuadLight {
 
     /// [`QuadLight::sample`] of a quad whose corners are off their plane by up to `bend`.
     fn sample_bent(&self, bend: Vec3, from: &Surface, u: [f32; 2]) -> Option<LightSample> {
+        if self.is_behind(from) {
+            return None;
+        }
         let Some(seen) = self.seen_from(from) else {
             return self.sample_area_bent(bend, from, u);
         };
@@ -152,6 +155,13 @@ impl QuadLight {
             Some(seen) => seen.rectangle.pdf() as f32,
             None => pdf_by_area(self.area, from, wi, &at),
         }
+    }
+
+    /// True where a point is behind all corners of a light that shines on one side: what would be sampled shines away.
+    fn is_behind(&self, from: &Surface) -> bool {
+        let n = self.quad.normal().as_dvec3();
+        let height = |corner: Vec3| (from.p.as_dvec3() - corner.as_dvec3()).dot(n);
+        !self.two_sided && self.quad.corners().into_iter().all(|c| height(c) <= 0.0)
     }
 
     /// The rectangle as a point before it sees it; `None` where it is none, far or too small.

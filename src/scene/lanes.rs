@@ -2,7 +2,7 @@
 
 use super::interaction::{Hit, Interaction};
 use super::{Object, Scene};
-use crate::geometry::lanes::{Column, FewShapes, MOST_SHAPES};
+use crate::geometry::lanes::{FewShapes, Note};
 use crate::geometry::{ClosestHit, Intersection, Ray, Surface};
 use crate::lights::Light;
 use crate::lights::lanes::QuadInLanes;
@@ -16,7 +16,6 @@ use crate::materials::Bsdf;
 pub struct SceneInLanes<'s> {
     scene: &'s Scene,
     shapes: Option<FewShapes>,
-    albedo: [Column; 3],
     light: Option<(QuadInLanes, u32)>,
     black_beyond: bool,
 }
@@ -54,19 +53,11 @@ impl<'s> SceneInLanes<'s> {
         let is_diffuse = |object: &Object| diffuse_albedo(object).is_some();
         let lit = !scene.is_dark() && scene.objects.iter().any(is_diffuse);
         (still && lit).then_some(())?;
-        let shapes = FewShapes::new(scene.bvh.shapes());
-        let mut albedo = [[0.0; MOST_SHAPES]; 3];
-        for (slot, id) in shapes.iter().flat_map(FewShapes::ids).enumerate() {
-            let object = scene.object_of_shape[*id as usize];
-            let own = diffuse_albedo(&scene.objects[object as usize]).unwrap_or_default();
-            for (column, channel) in albedo.iter_mut().zip(own) {
-                column[slot] = channel;
-            }
-        }
+        let note =
+            |shape: u32| note(&scene.objects[scene.object_of_shape[shape as usize] as usize]);
         Some(SceneInLanes {
             scene,
-            shapes,
-            albedo,
+            shapes: FewShapes::new(scene.bvh.shapes(), note),
             light: only_quad(scene),
             black_beyond: scene.environment_light.is_none() && scene.background.is_black(),
         })
@@ -82,11 +73,6 @@ impl<'s> SceneInLanes<'s> {
         self.shapes.as_ref()
     }
 
-    /// The albedo of each of the few shapes that is diffuse and of one colour; black for others.
-    pub fn albedo(&self) -> &[Column; 3] {
-        &self.albedo
-    }
-
     /// Its only light, where that is a quad of one colour, and the number of the quad.
     pub fn light(&self) -> Option<&(QuadInLanes, u32)> {
         self.light.as_ref()
@@ -97,9 +83,9 @@ impl<'s> SceneInLanes<'s> {
         self.black_beyond
     }
 
-    /// The object that a shape belongs to.
-    pub fn object(&self, shape: u32) -> &'s Object {
-        &self.scene.objects[self.scene.object_of_shape[shape as usize] as usize]
+    /// What lanes know of the object that a shape belongs to.
+    pub fn note(&self, shape: u32) -> Note {
+        note(&self.scene.objects[self.scene.object_of_shape[shape as usize] as usize])
     }
 
     /// What a single ray hits first.
@@ -147,8 +133,15 @@ fn only_quad(scene: &Scene) -> Option<(QuadInLanes, u32)> {
     scene.textured_lights.is_empty().then_some(quad)
 }
 
+fn note(object: &Object) -> Note {
+    Note {
+        albedo: diffuse_albedo(object).unwrap_or_default(),
+        shines: object.light.is_some(),
+    }
+}
+
 /// The albedo of what is diffuse and of one colour, and not black.
-pub fn diffuse_albedo(object: &Object) -> Option<[f32; 3]> {
+fn diffuse_albedo(object: &Object) -> Option<[f32; 3]> {
     let material = object
         .material
         .as_ref()

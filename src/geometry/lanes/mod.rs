@@ -11,15 +11,17 @@
 mod ball;
 mod crossing;
 mod glance;
+mod records;
 
 use super::aabb::EARLIER;
 use super::{Aabb, Quad, Shape, Sphere};
-use crate::numeric::lanes::{Floats, Mask, Row, Vector, WordRow, Words, bits, floats, mask, words};
+use crate::numeric::lanes::{Floats, Mask, Vector, WordRow, Words, bits, floats, mask, words};
 pub use crossing::bilinear;
+pub use records::Note;
 
-use crossing::Crossings;
 use fearless_simd::prelude::*;
 use glance::Glance;
+use records::Records;
 
 /// Shapes that are few.
 pub const MOST_SHAPES: usize = 64;
@@ -35,9 +37,9 @@ const LARGEST: f32 = 1e9;
 pub struct FewShapes {
     quads: Vec<Glance>,
     balls: Vec<Ball>,
-    crossings: Box<Crossings>,
-    /// The number of the shape in each slot.
-    ids: Vec<u32>,
+    records: Records,
+    /// How many there are.
+    count: usize,
     /// The largest coordinate of a corner, without sign.
     size: f32,
     triangles: Option<Aabb>,
@@ -78,10 +80,12 @@ pub struct FirstHits<S: Simd> {
     pub u: Floats<S>,
     /// A quad's second coordinate.
     pub v: Floats<S>,
-    /// The shape's number.
-    pub id: WordRow,
-    /// Its place among the few.
-    pub slot: WordRow,
+    /// The shape's number; [`NO_SHAPE`] where none is hit.
+    pub id: Words<S>,
+    /// Its note: the albedo, and lanes in which it shines.
+    pub albedo: Vector<S>,
+    /// See [`Note`].
+    pub shines: Mask<S>,
     /// The point on it.
     pub p: Vector<S>,
     /// The bound on its error.
@@ -138,21 +142,25 @@ impl<S: Simd> Nearest<S> {
 }
 
 impl FewShapes {
-    /// Shapes with their numbers; `None` where there are too many besides triangles, or they are very large or small.
-    pub fn new(shapes: impl Iterator<Item = (u32, Shape)>) -> Option<FewShapes> {
+    /// Shapes with their numbers and notes; `None` where there are too many besides triangles, or they are very large or
+    /// small.
+    pub fn new(
+        shapes: impl Iterator<Item = (u32, Shape)>,
+        note: impl Fn(u32) -> Note,
+    ) -> Option<FewShapes> {
         let mut few = FewShapes {
             quads: Vec::new(),
             balls: Vec::new(),
-            crossings: Box::default(),
-            ids: Vec::new(),
+            records: Records::default(),
+            count: 0,
             size: 0.0,
             triangles: None,
         };
         for (id, shape) in shapes {
             match shape {
-                Shape::Quad(quad) => few.add(id, &quad)?,
+                Shape::Quad(quad) => few.add_quad(id, note(id), &quad)?,
                 Shape::Sphere(sphere) => {
-                    let slot = few.next_slot(id)?;
+                    let slot = few.add(id, note(id))?;
                     few.balls.push(Ball { slot, sphere });
                 }
                 Shape::Triangle(triangle) => {
@@ -164,28 +172,25 @@ impl FewShapes {
         Some(few)
     }
 
-    fn next_slot(&mut self, id: u32) -> Option<u32> {
-        let slot = self.ids.len();
-        self.ids.push(id);
-        (slot < MOST_SHAPES).then_some(slot as u32)
+    /// Adds a shape; its slot.
+    fn add(&mut self, id: u32, note: Note) -> Option<u32> {
+        let slot = self.count;
+        (slot < MOST_SHAPES).then(|| self.records.set(slot, id, note))?;
+        self.count += 1;
+        Some(slot as u32)
     }
 
-    fn add(&mut self, id: u32, quad: &Quad) -> Option<()> {
-        let slot = self.next_slot(id)?;
+    fn add_quad(&mut self, id: u32, note: Note, quad: &Quad) -> Option<()> {
+        let slot = self.add(id, note)?;
         let corners = quad.corners();
         let size = corners
             .iter()
             .fold(0.0_f32, |size, c| size.max(c.abs().max_element()));
         self.size = self.size.max(size);
-        self.crossings.set(slot as usize, quad);
+        self.records.set_quad(slot as usize, quad);
         self.quads
             .push(Glance::new(id, slot, quad).filter(|_| size < LARGEST)?);
         Some(())
-    }
-
-    /// The numbers of the few shapes, slot by slot.
-    pub fn ids(&self) -> &[u32] {
-        &self.ids
     }
 
     /// What each ray meets first within `t_max`.
@@ -213,13 +218,10 @@ impl FewShapes {
         let doubt = nearest.doubt.simd_le(nearest.t + nearest.slack) | wild;
         let hit = nearest.slot.simd_lt(words(s, NO_SHAPE)) & !doubt;
 
-        let (mut slot, mut id) = (WordRow::default(), WordRow::default());
+        let mut slot = WordRow::default();
         slot.set(nearest.slot);
-        for (id, slot) in id.0.iter_mut().zip(&slot.0) {
-            *id = self.ids.get(*slot as usize).copied().unwrap_or(NO_SHAPE);
-        }
-        let crossing = self.crossings.intersect(s, rays, &slot);
-        let (p, error, n) = self.crossings.surface(s, &slot, crossing.u, crossing.v);
+        let facts = self.records.fetch(s, &slot);
+        let crossing = crossing::intersect(s, rays, &facts);
         let mut first = FirstHits {
             hit,
             doubt,
@@ -227,11 +229,12 @@ impl FewShapes {
             t: crossing.t,
             u: crossing.u,
             v: crossing.v,
-            id,
-            slot,
-            p,
-            error,
-            n,
+            id: hit.select(facts.id, words(s, NO_SHAPE)),
+            albedo: facts.albedo,
+            shines: facts.shines,
+            p: crossing::point(s, &facts, crossing.u, crossing.v),
+            error: facts.error,
+            n: facts.normal,
         };
         let mut is_ball = mask(s, 0);
         for Ball { slot, sphere } in &self.balls {
@@ -346,30 +349,6 @@ fn clip<S: Simd>(
         near.simd_gt(t0).select(near, t0),
         far.simd_lt(t1).select(far, t1),
     )
-}
-
-/// A number of each of few shapes, slot by slot.
-pub type Column = [f32; MOST_SHAPES];
-
-/// The number in each lane's slot; of any for [`NO_SHAPE`].
-#[inline(always)]
-pub fn gather<S: Simd>(s: S, column: &Column, slot: &WordRow) -> Floats<S> {
-    let mut row = Row::default();
-    for (x, slot) in row.0.iter_mut().zip(&slot.0) {
-        *x = column[*slot as usize % MOST_SHAPES];
-    }
-    row.get(s)
-}
-
-/// The vector in each lane's slot.
-#[inline(always)]
-pub fn gather_vector<S: Simd>(s: S, columns: &[Column; 3], slot: &WordRow) -> Vector<S> {
-    let [x, y, z] = columns;
-    Vector {
-        x: gather(s, x, slot),
-        y: gather(s, y, slot),
-        z: gather(s, z, slot),
-    }
 }
 
 #[cfg(test)]

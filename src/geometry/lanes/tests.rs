@@ -17,7 +17,7 @@ fn point(numbers: &mut Numbers, size: f32) -> Vec3 {
 }
 
 fn few(shapes: &[Shape]) -> Option<FewShapes> {
-    FewShapes::new((0..).zip(shapes.iter().copied()))
+    FewShapes::new((0..).zip(shapes.iter().copied()), |_| Note::default())
 }
 
 /// A bowl of triangles, and a room with slanted quads and two balls in it, so large.

@@ -13,15 +13,15 @@ use super::path::LEAST_SURVIVAL;
 use super::world::{Guided, World};
 use crate::color::Rgb;
 use crate::geometry::Ray;
-use crate::geometry::lanes::{Rays, gather_vector};
-use crate::materials::{Event, kinds};
+use crate::geometry::lanes::Rays;
+use crate::materials::kinds;
 use crate::numeric::lanes::{
     ALL_LANES, Each, Row, Vector, WordRow, bits, floats, level_name, mask, words,
 };
 use crate::sampling::lanes::Streams;
 use crate::sampling::mis::Heuristic;
 use crate::sampling::stream::{Purpose, Sampler, Stream};
-use crate::scene::lanes::{SceneInLanes, diffuse_albedo};
+use crate::scene::lanes::SceneInLanes;
 use crate::scene::{RayCounts, Scene, Tracer};
 use fearless_simd::prelude::*;
 use fearless_simd::{Level, dispatch};
@@ -217,10 +217,9 @@ impl<'w, 's, S: Simd> Walk<'w, 's, S> {
             paths.here.p.set(hits.p);
             paths.here.error.set(hits.error);
             paths.here.n.set(hits.n);
-            paths.here.shape = hits.id;
-            paths
-                .albedo
-                .set(gather_vector(s, scene.albedo(), &hits.slot));
+            paths.here.shape.set(hits.id);
+            paths.albedo.set(hits.albedo);
+            paths.shines = bits(hits.shines);
             for lane in Each(bits(hits.at_triangles) & live) {
                 // Of two at the same distance the one with the lower number is met, whichever is found first.
                 let few =
@@ -233,14 +232,14 @@ impl<'w, 's, S: Simd> Walk<'w, 's, S> {
                     && few.is_none_or(|few| (hit.intersection.t, hit.shape) < few)
                 {
                     met |= 1 << lane;
-                    paths.set_hit(lane, &hit, diffuse_albedo(scene.object(hit.shape)));
+                    paths.set_hit(lane, &hit, scene.note(hit.shape));
                 }
             }
         }
         for lane in Each(doubt) {
             if let Some(hit) = scene.first_hit(&paths.ray.lane(lane)) {
                 met |= 1 << lane;
-                paths.set_hit(lane, &hit, diffuse_albedo(scene.object(hit.shape)));
+                paths.set_hit(lane, &hit, scene.note(hit.shape));
             }
         }
         met
@@ -250,15 +249,12 @@ impl<'w, 's, S: Simd> Walk<'w, 's, S> {
     #[inline(always)]
     fn arrive(&mut self, tracer: &mut Tracer<'s>, live: u32, met: u32) -> u32 {
         let (s, scene, paths) = (self.s, &self.by.scene, &mut *self.paths);
-        for lane in Each(live) {
+        let beyond = match scene.is_black_beyond() {
+            true => 0,
+            false => live & !met,
+        };
+        for lane in Each(met & paths.shines | beyond) {
             let hit = met >> lane & 1 == 1;
-            let is_dark = match hit {
-                true => scene.object(paths.here.shape.0[lane]).light.is_none(),
-                false => scene.is_black_beyond(),
-            };
-            if is_dark {
-                continue;
-            }
             let ray = paths.ray.lane(lane);
             let here = hit.then(|| scene.interaction(&ray, &paths.hit(lane)));
             let mut li = match &here {
@@ -272,7 +268,7 @@ impl<'w, 's, S: Simd> Walk<'w, 's, S> {
                 li = li * Heuristic::Power.weight(pdf, pdf_light);
             }
             // What is focused onto a diffuse surface, and found by chance, is traced from the lights.
-            let is_focused = paths.ends[lane] == Some([Event::Diffuse, Event::Specular]);
+            let is_focused = (paths.first_is_diffuse & paths.last_is_specular) >> lane & 1 == 1;
             let is_traced = self.by.from_lights
                 && is_focused
                 && (here.is_some() || scene.scene().environment_light.is_some());
@@ -331,7 +327,7 @@ impl<'w, 's, S: Simd> Walk<'w, 's, S> {
         let Some(step) = world.sample_bsdf(&here, vertex, &stream) else {
             return false;
         };
-        paths.note(lane, step.event);
+        paths.note(1 << lane, u32::from(depth == 1) << lane, step.event);
         let mut beta = Rgb::from(paths.beta.lane(lane)) * step.weight;
         let mut rr_beta = Rgb::from(paths.rr_beta.lane(lane)) * step.bsdf_weight;
         if depth >= self.by.path.roulette_from {

@@ -1,7 +1,7 @@
 //! Sixteen paths under way, side by side in memory.
 
 use crate::color::Rgb;
-use crate::geometry::lanes::NO_SHAPE;
+use crate::geometry::lanes::{NO_SHAPE, Note};
 use crate::geometry::{Intersection, Ray, Surface};
 use crate::materials::Event;
 use crate::numeric::lanes::{LANES, Row, Row3, WordRow};
@@ -34,8 +34,12 @@ pub(super) struct Paths {
     pub(super) part: WordRow,
     /// The albedo there, where it is diffuse and of one colour.
     pub(super) albedo: Row3,
-    /// What happened at the first vertex and at the last.
-    pub(super) ends: [Option<[Event; 2]>; LANES],
+    /// A bit for each path that has met what shines.
+    pub(super) shines: u32,
+    /// A bit for each path that was scattered diffusely at its first vertex, and for each that was by a mirror or glass at
+    /// its last.
+    pub(super) first_is_diffuse: u32,
+    pub(super) last_is_specular: u32,
     /// A bit for each path whose caustics are traced from the lights.
     pub(super) on_caustic: u32,
 }
@@ -98,7 +102,7 @@ impl Paths {
         self.depth.0[lane] = 1;
         self.pdf.0[lane] = NO_PDF;
         self.left.shape.0[lane] = NO_SHAPE;
-        self.ends[lane] = None;
+        self.last_is_specular &= !(1 << lane);
         self.on_caustic &= !(1 << lane);
     }
 
@@ -113,10 +117,16 @@ impl Paths {
         self.li.set_lane(lane, sum.channels());
     }
 
-    /// Notes what happened at a vertex.
-    pub(super) fn note(&mut self, lane: usize, event: Event) {
-        let first = self.ends[lane].map_or(event, |[first, _]| first);
-        self.ends[lane] = Some([first, event]);
+    /// Notes how some paths were scattered at their vertices.
+    #[inline(always)]
+    pub(super) fn note(&mut self, lanes: u32, first: u32, event: Event) {
+        self.first_is_diffuse &= !(lanes & first);
+        self.last_is_specular &= !lanes;
+        match event {
+            Event::Diffuse => self.first_is_diffuse |= lanes & first,
+            Event::Specular => self.last_is_specular |= lanes,
+            Event::Gloss => {}
+        }
     }
 
     /// What a path has met.
@@ -134,13 +144,15 @@ impl Paths {
     }
 
     /// Stores what a path has met.
-    pub(super) fn set_hit(&mut self, lane: usize, hit: &PlainHit, albedo: Option<[f32; 3]>) {
+    pub(super) fn set_hit(&mut self, lane: usize, hit: &PlainHit, note: Note) {
         let Intersection { t, u, v, part } = hit.intersection;
         self.t.0[lane] = t;
         self.u.0[lane] = u;
         self.v.0[lane] = v;
         self.part.0[lane] = part;
         self.here.set_lane(lane, &hit.surface, hit.shape);
-        self.albedo.set_lane(lane, albedo.unwrap_or_default());
+        self.albedo.set_lane(lane, note.albedo);
+        self.shines &= !(1 << lane);
+        self.shines |= u32::from(note.shines) << lane;
     }
 }

@@ -276,8 +276,7 @@ impl<'s, S: Simd> Walk<'_, 's, S> {
         paths.left.shape.set(on.select(shape, old));
         let depth = paths.depth.get(s);
         paths.depth.set(on.select(depth + words(s, 1), depth));
-        for lane in Each(bits(on)) {
-            paths.note(lane, Event::Diffuse);
-        }
+        let first = bits(depth.simd_eq(words(s, 1)));
+        paths.note(bits(on), first, Event::Diffuse);
     }
 }

@@ -8,10 +8,12 @@
 //! instructions: there are none in this code.
 
 mod functions;
+mod transpose;
 mod vector;
 mod wide;
 
 pub use functions::{offset_origin, scale_and_direction, sin_cos};
+pub use transpose::{transpose, transpose_wide};
 pub use vector::{Row3, Vector};
 pub use wide::{WideVector, Wides, Words64};
 

@@ -73,6 +73,12 @@ impl<S: Simd> From<Vector<S>> for Row3 {
 }
 
 impl<S: Simd> Vector<S> {
+    /// The vectors of these coordinates.
+    #[inline(always)]
+    pub fn new(x: Floats<S>, y: Floats<S>, z: Floats<S>) -> Self {
+        Vector { x, y, z }
+    }
+
     /// The same vector in every lane.
     #[inline(always)]
     pub fn splat(s: S, v: impl Into<[f32; 3]>) -> Self {
