@@ -20,7 +20,7 @@ pub use crossing::bilinear;
 pub use records::Note;
 
 use fearless_simd::prelude::*;
-use glance::Glance;
+use glance::{Parallel, Scale};
 use records::Records;
 
 /// Shapes that are few.
@@ -35,7 +35,7 @@ const LARGEST: f32 = 1e9;
 /// Up to [`MOST_SHAPES`] quads and spheres that stand still, each in a slot of its own, and the box of all triangles.
 #[derive(Clone, Debug)]
 pub struct FewShapes {
-    quads: Vec<Glance>,
+    quads: Vec<Parallel>,
     balls: Vec<Ball>,
     records: Records,
     /// How many there are.
@@ -108,35 +108,32 @@ pub struct Occlusion<S: Simd> {
 /// The nearest hit so far that is certain.
 #[derive(Clone, Copy)]
 struct Nearest<S: Simd> {
-    t: Floats<S>,
-    /// Bound on the error of `t`.
-    slack: Floats<S>,
+    /// Between which distances it is.
+    near: Floats<S>,
+    far: Floats<S>,
     slot: Words<S>,
     /// The least distance of any hit that is not certain.
     doubt: Floats<S>,
 }
 
 impl<S: Simd> Nearest<S> {
-    /// Adds a shape that some lanes may cross and some certainly do.
+    /// Adds a shape between two distances, that some lanes may cross and some certainly do.
     #[inline(always)]
     fn add(
         &mut self,
         s: S,
         slot: u32,
-        at: Floats<S>,
-        slack: Floats<S>,
+        (near, far): (Floats<S>, Floats<S>),
         may: Mask<S>,
         does: Mask<S>,
     ) {
-        let near = at - slack;
         // Of two that are too close to each other to tell, neither is certain.
-        let close =
-            does & near.simd_le(self.t + self.slack) & (self.t - self.slack).simd_le(at + slack);
+        let close = does & near.simd_le(self.far) & self.near.simd_le(far);
         let doubted = (may & !does) | close;
         self.doubt = (doubted & near.simd_lt(self.doubt)).select(near, self.doubt);
-        let nearer = does & at.simd_lt(self.t);
-        self.t = nearer.select(at, self.t);
-        self.slack = nearer.select(slack, self.slack);
+        let nearer = does & near.simd_lt(self.near);
+        self.near = nearer.select(near, self.near);
+        self.far = nearer.select(far, self.far);
         self.slot = nearer.select(words(s, slot), self.slot);
     }
 }
@@ -188,9 +185,7 @@ impl FewShapes {
             .fold(0.0_f32, |size, c| size.max(c.abs().max_element()));
         self.size = self.size.max(size);
         self.records.set_quad(slot as usize, quad);
-        self.quads
-            .push(Glance::new(id, slot, quad).filter(|_| size < LARGEST)?);
-        Some(())
+        (size < LARGEST && Parallel::add(&mut self.quads, id, slot, quad)).then_some(())
     }
 
     /// What each ray meets first within `t_max`.
@@ -198,24 +193,28 @@ impl FewShapes {
     /// Rays that are far out, or whose direction is much shorter or longer than 1, are in doubt.
     #[inline(always)]
     pub fn intersect<S: Simd>(&self, s: S, rays: &Rays<S>) -> FirstHits<S> {
-        let (reach, speed, wild) = self.scale(s, rays);
+        let (scale, wild) = self.scale(s, rays);
         let mut nearest = Nearest {
-            t: floats(s, f32::MAX),
-            slack: floats(s, 0.0),
+            near: floats(s, f32::MAX),
+            far: floats(s, f32::MAX),
             slot: words(s, NO_SHAPE),
             doubt: floats(s, f32::INFINITY),
         };
-        for quad in &self.quads {
-            let seen = quad.look(s, rays, reach, speed);
-            nearest.add(s, quad.slot, seen.t, seen.slack, seen.may, seen.does);
+        for parallel in &self.quads {
+            let at = parallel.incidence(s, rays, scale);
+            for quad in &parallel.quads {
+                let plane = parallel.meet(s, quad, &at, rays.from, scale);
+                let (may, does) = quad.look(s, &at, &plane);
+                nearest.add(s, quad.slot, (plane.near, plane.far), may, does);
+            }
         }
         for Ball { slot, sphere } in &self.balls {
             let (t, met) = ball::intersect(s, sphere, rays);
             if bits(met) != 0 {
-                nearest.add(s, *slot, t, floats(s, 0.0), met, met);
+                nearest.add(s, *slot, (t, t), met, met);
             }
         }
-        let doubt = nearest.doubt.simd_le(nearest.t + nearest.slack) | wild;
+        let doubt = nearest.doubt.simd_le(nearest.far) | wild;
         let hit = nearest.slot.simd_lt(words(s, NO_SHAPE)) & !doubt;
 
         let mut slot = WordRow::default();
@@ -241,12 +240,8 @@ impl FewShapes {
             let here = hit & nearest.slot.simd_eq(words(s, *slot));
             if bits(here) != 0 {
                 is_ball |= here;
-                first.place(
-                    s,
-                    here,
-                    nearest.t,
-                    ball::surface(s, sphere, rays, nearest.t),
-                );
+                let t = nearest.near;
+                first.place(s, here, t, ball::surface(s, sphere, rays, t));
             }
         }
         let refused = hit & crossing.refused & !is_ball;
@@ -257,22 +252,36 @@ impl FewShapes {
         first
     }
 
-    /// Whether something blocks the rays.
+    /// Whether something blocks the rays of the lanes `asks`.
     ///
     /// * `target`: the flat shape just before which the rays end; [`NO_SHAPE`] for none.
     #[inline(always)]
-    pub fn occluded<S: Simd>(&self, s: S, rays: &Rays<S>, target: u32) -> Occlusion<S> {
-        let (reach, speed, wild) = self.scale(s, rays);
+    pub fn occluded<S: Simd>(
+        &self,
+        s: S,
+        rays: &Rays<S>,
+        target: u32,
+        asks: Mask<S>,
+    ) -> Occlusion<S> {
+        let (scale, wild) = self.scale(s, rays);
         let mut hit = mask(s, 0);
         let mut doubt = wild;
-        for quad in &self.quads {
-            let seen = quad.look(s, rays, reach, speed);
-            let before = (seen.t - seen.slack).simd_le(rays.t_max);
-            if quad.id == target {
-                doubt |= seen.edge_on;
-            } else {
-                doubt |= seen.may & before;
-                hit |= seen.does & (seen.t + seen.slack).simd_le(rays.t_max);
+        for parallel in &self.quads {
+            let at = parallel.incidence(s, rays, scale);
+            for quad in &parallel.quads {
+                if quad.id == target {
+                    doubt |= at.edge_on;
+                    continue;
+                }
+                let plane = parallel.meet(s, quad, &at, rays.from, scale);
+                let in_time = plane.ahead & plane.near.simd_le(rays.t_max);
+                // As for the walls around a room, beyond which no shadow ray ends.
+                if bits(in_time & asks) == 0 {
+                    continue;
+                }
+                let (may, does) = quad.look(s, &at, &plane);
+                doubt |= may & in_time;
+                hit |= does & plane.far.simd_le(rays.t_max);
             }
         }
         for Ball { sphere, .. } in &self.balls {
@@ -306,16 +315,15 @@ impl FewShapes {
         (span.0 * EARLIER).simd_le(span.1)
     }
 
-    /// The largest coordinate of a point near each ray's origin or on a quad, of its direction, and the lanes for
-    /// which either is too large or too small.
+    /// The scale of the rays, and the lanes that are too far out, or whose direction is too short or too long.
     #[inline(always)]
-    fn scale<S: Simd>(&self, s: S, rays: &Rays<S>) -> (Floats<S>, Floats<S>, Mask<S>) {
+    fn scale<S: Simd>(&self, s: S, rays: &Rays<S>) -> (Scale<S>, Mask<S>) {
         let reach = rays.origin.abs().max_element() + self.size;
         let speed = rays.direction.abs().max_element();
         let tame = reach.simd_lt(floats(s, 2.0 * LARGEST))
             & speed.simd_gt(floats(s, 0.25))
             & speed.simd_lt(floats(s, 4.0));
-        (reach, speed, !tame)
+        (Scale { reach, speed }, !tame)
     }
 }
 

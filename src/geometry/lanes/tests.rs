@@ -159,7 +159,7 @@ fn count(few: &FewShapes, shapes: &[Shape], size: f32, level: Level, rounds: u32
                 from: from.get(s),
             };
             let first = few.intersect(s, &rays);
-            let any = few.occluded(s, &rays, NO_SHAPE);
+            let any = few.occluded(s, &rays, NO_SHAPE, mask(s, ALL_LANES));
             (
                 [first.hit, first.doubt, first.at_triangles].map(bits),
                 first.id,

@@ -140,7 +140,7 @@ impl<'s, S: Simd> Walk<'_, 's, S> {
         let (s, scene) = (self.s, &self.by.scene);
         let (mut visible, mut doubt, mut at_triangles) = (asks, asks, 0);
         if let Some(shapes) = scene.shapes() {
-            let few = shapes.occluded(s, rays, target);
+            let few = shapes.occluded(s, rays, target, mask(s, asks));
             visible &= !bits(few.hit);
             doubt = visible & bits(few.doubt);
             at_triangles = visible & bits(few.at_triangles);

@@ -90,6 +90,16 @@ impl<S: Simd> Vector<S> {
         }
     }
 
+    /// One of the coordinates: the first for 0, the second for 1, else the third.
+    #[inline(always)]
+    pub fn coordinate(self, axis: usize) -> Floats<S> {
+        match axis {
+            0 => self.x,
+            1 => self.y,
+            _ => self.z,
+        }
+    }
+
     /// The dot product.
     #[inline(always)]
     pub fn dot(self, o: Self) -> Floats<S> {
