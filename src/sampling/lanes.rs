@@ -3,6 +3,7 @@
 use super::stream::{LAST_EVEN_PLACE, Purpose, Sampler, Stream};
 use crate::numeric::lanes::{ALL_LANES, Floats, LANES, Mask, WordRow, Words, Words64, bits, words};
 use fearless_simd::prelude::*;
+use fearless_simd::{i32x16, u8x64};
 use sobol_burley::parts::sobol_rev;
 
 /// Bits of a sample's number that Sobol' points look at, shuffled.
@@ -13,18 +14,21 @@ const INDEX_BITS: u32 = 16;
 pub struct Streams {
     key: [u64; LANES],
     index: WordRow,
+    /// The bits of the indices in reverse.
+    reversed: WordRow,
     sampler: Sampler,
-    /// For each bit of the index the direction numbers of four dimensions, their bits reversed.
-    directions: [[u32; 4]; INDEX_BITS as usize],
+    /// For each bit of the index the direction numbers of the last two of four dimensions, their bits reversed.
+    directions: [[u32; 2]; INDEX_BITS as usize],
 }
 
 impl Streams {
     /// Streams that are still to be set.
     pub fn new(sampler: Sampler) -> Self {
-        let direction = |bit: usize| [0, 1, 2, 3].map(|d| sobol_rev(1 << (31 - bit), d));
+        let direction = |bit: usize| [2, 3].map(|d| sobol_rev(1 << (31 - bit), d));
         Streams {
             key: [0; LANES],
             index: WordRow::default(),
+            reversed: WordRow::default(),
             sampler,
             directions: std::array::from_fn(direction),
         }
@@ -35,6 +39,7 @@ impl Streams {
         debug_assert!(stream.sampler == self.sampler && stream.fixed == 0);
         self.key[lane] = stream.key;
         self.index.0[lane] = stream.index;
+        self.reversed.0[lane] = stream.index.reverse_bits();
     }
 
     /// That of one lane.
@@ -62,7 +67,7 @@ impl Streams {
         if even == 0 {
             return independent(s, state ^ Words64::from(index));
         }
-        let points = self.sobol(s, index, state.low());
+        let points = self.sobol(s, state.low());
         if even == ALL_LANES {
             return points;
         }
@@ -78,17 +83,19 @@ impl Streams {
     ///
     /// Source: Burley, Practical Hash-based Owen Scrambling (JCGT 9(4), 2020).
     #[inline(always)]
-    fn sobol<S: Simd>(&self, s: S, index: Words<S>, seed: Words<S>) -> [Floats<S>; 4] {
+    fn sobol<S: Simd>(&self, s: S, seed: Words<S>) -> [Floats<S>; 4] {
         let by = hash(s, seed ^ words(s, 0x79c6_8e4a));
-        let shuffled = owen_scramble(s, reverse_bits(s, index), by);
-        let mut sobol = [words(s, 0); 4];
+        let shuffled = owen_scramble(s, self.reversed.get(s), by);
+        let index = reverse_bits(s, shuffled) & words(s, (1 << INDEX_BITS) - 1);
+        let [mut third, mut fourth] = [words(s, 0); 2];
         for (bit, directions) in self.directions.iter().enumerate() {
             // All ones where the index has the bit.
-            let has = words(s, 0) - ((shuffled >> (31 - bit as u32)) & words(s, 1));
-            for (x, direction) in sobol.iter_mut().zip(directions) {
-                *x ^= has & words(s, *direction);
-            }
+            let top: i32x16<S> = (shuffled << bit as u32).bitcast();
+            let has: Words<S> = (top >> 31).bitcast();
+            third ^= has & words(s, directions[0]);
+            fourth ^= has & words(s, directions[1]);
         }
+        let sobol = [index, pascal(s, index), third, fourth];
         let seed = seed * words(s, 0x9c8f_2d3b);
         let salts = [0x912f_69ba, 0x174f_18ab, 0x691e_72ca, 0xb40c_c1b8];
         let mut point = [Floats::splat(s, 0.0); 4];
@@ -98,6 +105,21 @@ impl Streams {
         }
         point
     }
+}
+
+/// The second dimension of the Sobol' sequence from the first, both with their bits reversed.
+///
+/// Its matrix is Pascal's triangle modulo 2. That of twice as many bits is four blocks: three such triangles, and zeros.
+///
+/// Source: Sobol', On the Distribution of Points in a Cube and the Approximate Evaluation of Integrals (USSR
+/// Computational Mathematics and Mathematical Physics 7(4), 1967); for the triangle Faure, Discrépance de suites
+/// associées à un système de numération (Acta Arithmetica 41, 1982).
+#[inline(always)]
+fn pascal<S: Simd>(s: S, x: Words<S>) -> Words<S> {
+    let x = x ^ ((x >> 1) & words(s, 0x5555));
+    let x = x ^ ((x >> 2) & words(s, 0x3333));
+    let x = x ^ ((x >> 4) & words(s, 0x0f0f));
+    x ^ ((x >> 8) & words(s, 0x00ff))
 }
 
 /// `stream::mix`.
@@ -151,20 +173,41 @@ fn hash<S: Simd>(s: S, n: Words<S>) -> Words<S> {
     n ^ (n >> 16)
 }
 
-/// `u32::reverse_bits`.
+/// `u32::reverse_bits`: of each byte the halves by a table, and then the bytes.
 #[inline(always)]
 fn reverse_bits<S: Simd>(s: S, x: Words<S>) -> Words<S> {
-    let x = swap(s, x, 1, 0x5555_5555);
-    let x = swap(s, x, 2, 0x3333_3333);
-    let x = swap(s, x, 4, 0x0f0f_0f0f);
-    let x = swap(s, x, 8, 0x00ff_00ff);
-    (x >> 16) | (x << 16)
+    let low = x & words(s, 0x0f0f_0f0f);
+    let high = (x >> 4) & words(s, 0x0f0f_0f0f);
+    let table = u8x64::from_slice(s, &REVERSED_HALVES);
+    let x = (table.swizzle_dyn_within_blocks(low.to_bytes()) << 4)
+        | table.swizzle_dyn_within_blocks(high.to_bytes());
+    let bytes = u8x64::from_slice(s, &LAST_BYTE_FIRST);
+    Words::from_bytes(x.swizzle_dyn_within_blocks(bytes))
 }
 
-/// Swaps neighbouring groups of so many bits, of which `low` masks the lower ones.
-#[inline(always)]
-fn swap<S: Simd>(s: S, x: Words<S>, by: u32, low: u32) -> Words<S> {
-    ((x >> by) & words(s, low)) | ((x & words(s, low)) << by)
+/// The numbers below 16 with their four bits reversed, four times.
+const REVERSED_HALVES: [u8; 64] = reversed_halves();
+/// The places of the bytes of words within sixteen bytes, the last of each word first, four times.
+const LAST_BYTE_FIRST: [u8; 64] = last_byte_first();
+
+const fn reversed_halves() -> [u8; 64] {
+    let mut table = [0; 64];
+    let mut i = 0;
+    while i < 64 {
+        table[i] = (i as u8 % 16).reverse_bits() >> 4;
+        i += 1;
+    }
+    table
+}
+
+const fn last_byte_first() -> [u8; 64] {
+    let mut table = [0; 64];
+    let mut i = 0;
+    while i < 64 {
+        table[i] = (i as u8 % 16) ^ 3;
+        i += 1;
+    }
+    table
 }
 
 #[cfg(test)]

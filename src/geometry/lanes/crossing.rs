@@ -97,10 +97,11 @@ pub(super) fn intersect<S: Simd>(s: S, rays: &Rays<S>, quad: &Facts<S>) -> Cross
     let cd = xs[3] * ys[2] - ys[3] * xs[2];
     let da = xs[0] * ys[3] - ys[0] * xs[3];
     let ca = xs[0] * ys[2] - ys[0] * xs[2];
-    let (first, in_first) = weights(s, [bc, ca, ab]);
-    let (second, in_second) = weights(s, [cd, da, -ca]);
-    let u = in_first.select(first[0] + first[1], second[0]);
-    let v = in_first.select(first[1], second[0] + second[1]);
+    let first = Weights::new(s, [bc, ca, ab]);
+    let second = Weights::new(s, [cd, da, -ca]);
+    let ([p, q], in_first) = (first.or(second), first.inside);
+    let u = in_first.select(p + q, p);
+    let v = in_first.select(q, p + q);
 
     let n = quad.plane;
     let t = (n.dot(quad.point - o.widen()) / n.dot(d.widen())).narrow();
@@ -109,7 +110,7 @@ pub(super) fn intersect<S: Simd>(s: S, rays: &Rays<S>, quad: &Facts<S>) -> Cross
         t: t.simd_lt(entry).select(entry, t),
         u,
         v,
-        refused: !(finite & in_box & (in_first | in_second) & ahead),
+        refused: !(finite & in_box & (first.inside | second.inside) & ahead),
     }
 }
 
@@ -128,15 +129,37 @@ pub fn bilinear<S: Simd>(s: S, u: Floats<S>, v: Floats<S>) -> [Floats<S>; 4] {
     [(one - u) * (one - v), u * (one - v), u * v, (one - u) * v]
 }
 
-/// `triangle::weights`, and the lanes that have some.
-#[inline(always)]
-fn weights<S: Simd>(s: S, [u, v, w]: [Wides<S>; 3]) -> ([Floats<S>; 2], Mask<S>) {
-    let determinant = u + v + w;
-    let zero = Wides::splat(s, 0.0);
-    let front = u.ge(zero) & v.ge(zero) & w.ge(zero) & determinant.gt(zero);
-    let back = zero.ge(u) & zero.ge(v) & zero.ge(w) & zero.gt(determinant);
-    (
-        [(v / determinant).narrow(), (w / determinant).narrow()],
-        front | back,
-    )
+/// Barycentric coordinates before they are divided: `triangle::weights`.
+#[derive(Clone, Copy)]
+struct Weights<S: Simd> {
+    v: Wides<S>,
+    w: Wides<S>,
+    determinant: Wides<S>,
+    /// Lanes whose ray passes inside.
+    inside: Mask<S>,
+}
+
+impl<S: Simd> Weights<S> {
+    #[inline(always)]
+    fn new(s: S, [u, v, w]: [Wides<S>; 3]) -> Self {
+        let determinant = u + v + w;
+        let zero = Wides::splat(s, 0.0);
+        let front = u.ge(zero) & v.ge(zero) & w.ge(zero) & determinant.gt(zero);
+        let back = zero.ge(u) & zero.ge(v) & zero.ge(w) & zero.gt(determinant);
+        Weights {
+            v,
+            w,
+            determinant,
+            inside: front | back,
+        }
+    }
+
+    /// Those of this triangle where the ray passes inside, else those of the other.
+    #[inline(always)]
+    fn or(self, other: Self) -> [Floats<S>; 2] {
+        let determinant = Wides::select(self.inside, self.determinant, other.determinant);
+        let v = Wides::select(self.inside, self.v, other.v);
+        let w = Wides::select(self.inside, self.w, other.w);
+        [(v / determinant).narrow(), (w / determinant).narrow()]
+    }
 }

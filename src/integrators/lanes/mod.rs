@@ -151,7 +151,7 @@ impl<'w, 's, S: Simd> Walk<'w, 's, S> {
             let Some(PixelSample { pixel, stream }) = next() else {
                 break;
             };
-            self.paths.start(lane, light.len());
+            self.paths.sample[lane] = light.len();
             self.streams.set(lane, &stream);
             light.push(Rgb::BLACK);
             started |= 1 << lane;
@@ -166,9 +166,8 @@ impl<'w, 's, S: Simd> Walk<'w, 's, S> {
                     .set_lane(lane, &scene.camera_ray(pixel, &stream)),
             }
         }
-        if let Some([origin, forward, right, up]) = self.by.pinhole
-            && started != 0
-        {
+        self.paths.start(s, started);
+        if let Some([origin, forward, right, up]) = self.by.pinhole {
             // `Scene::camera_ray`.
             let [u, v, ..] = self.streams.four(s, words(s, 0), Purpose::Pixel);
             let [width, height] = scene.size.map(|n| n as f32);

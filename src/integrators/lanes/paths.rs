@@ -4,8 +4,9 @@ use crate::color::Rgb;
 use crate::geometry::lanes::{NO_SHAPE, Note};
 use crate::geometry::{Intersection, Ray, Surface};
 use crate::materials::Event;
-use crate::numeric::lanes::{LANES, Row, Row3, WordRow};
+use crate::numeric::lanes::{LANES, Row, Row3, Vector, WordRow, floats, mask, words};
 use crate::scene::lanes::PlainHit;
+use fearless_simd::prelude::*;
 
 /// The density of a direction that nobody else could have drawn: one from the eye or after a mirror.
 pub(super) const NO_PDF: f32 = -1.0;
@@ -93,17 +94,19 @@ impl SurfaceRows {
 }
 
 impl Paths {
-    /// Starts the path of a sample.
-    pub(super) fn start(&mut self, lane: usize, sample: usize) {
-        self.sample[lane] = sample;
-        self.beta.set_lane(lane, [1.0; 3]);
-        self.rr_beta.set_lane(lane, [1.0; 3]);
-        self.li.set_lane(lane, [0.0; 3]);
-        self.depth.0[lane] = 1;
-        self.pdf.0[lane] = NO_PDF;
-        self.left.shape.0[lane] = NO_SHAPE;
-        self.last_is_specular &= !(1 << lane);
-        self.on_caustic &= !(1 << lane);
+    /// Starts paths in some lanes.
+    #[inline(always)]
+    pub(super) fn start<S: Simd>(&mut self, s: S, lanes: u32) {
+        let started = mask(s, lanes);
+        self.beta.set_where(s, started, Vector::splat(s, [1.0; 3]));
+        self.rr_beta
+            .set_where(s, started, Vector::splat(s, [1.0; 3]));
+        self.li.set_where(s, started, Vector::splat(s, [0.0; 3]));
+        self.depth.set_where(s, started, words(s, 1));
+        self.pdf.set_where(s, started, floats(s, NO_PDF));
+        self.left.shape.set_where(s, started, words(s, NO_SHAPE));
+        self.last_is_specular &= !lanes;
+        self.on_caustic &= !lanes;
     }
 
     /// The light that a path has found.

@@ -270,12 +270,10 @@ impl<'s, S: Simd> Walk<'_, 's, S> {
     /// Notes what the next rays were drawn by.
     #[inline(always)]
     fn leave(s: S, paths: &mut Paths, on: Mask<S>, pdf: Floats<S>) {
-        let old = paths.pdf.get(s);
-        paths.pdf.set(on.select(pdf, old));
-        let (old, shape) = (paths.left.shape.get(s), paths.here.shape.get(s));
-        paths.left.shape.set(on.select(shape, old));
+        paths.pdf.set_where(s, on, pdf);
+        paths.left.shape.set_where(s, on, paths.here.shape.get(s));
         let depth = paths.depth.get(s);
-        paths.depth.set(on.select(depth + words(s, 1), depth));
+        paths.depth.set_where(s, on, depth + words(s, 1));
         let first = bits(depth.simd_eq(words(s, 1)));
         paths.note(bits(on), first, Event::Diffuse);
     }

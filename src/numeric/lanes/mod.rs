@@ -54,6 +54,12 @@ impl Row {
     pub fn set<S: Simd>(&mut self, x: Floats<S>) {
         x.store_slice(&mut self.0);
     }
+
+    /// Stores a vector in some of the lanes.
+    #[inline(always)]
+    pub fn set_where<S: Simd>(&mut self, s: S, mask: Mask<S>, x: Floats<S>) {
+        self.set(mask.select(x, self.get(s)));
+    }
 }
 
 impl WordRow {
@@ -67,6 +73,12 @@ impl WordRow {
     #[inline(always)]
     pub fn set<S: Simd>(&mut self, x: Words<S>) {
         x.store_slice(&mut self.0);
+    }
+
+    /// Stores a vector in some of the lanes.
+    #[inline(always)]
+    pub fn set_where<S: Simd>(&mut self, s: S, mask: Mask<S>, x: Words<S>) {
+        self.set(mask.select(x, self.get(s)));
     }
 }
 
