@@ -3,8 +3,7 @@
 use super::MOST_SHAPES;
 use crate::geometry::Quad;
 use crate::numeric::lanes::{
-    Floats, LANES, Mask, Vector, WideVector, Wides, WordRow, Words, floats, transpose,
-    transpose_wide,
+    Floats, LANES, Mask, Vector, WideVector, WordRow, Words, floats, transpose, transpose_wide,
 };
 use fearless_simd::prelude::*;
 

@@ -2,7 +2,7 @@
 
 use super::*;
 use crate::geometry::{Bvh, Intersection, Ray, Surface, Triangle};
-use crate::numeric::lanes::{Each, LANES, Row3, levels};
+use crate::numeric::lanes::{ALL_LANES, Each, LANES, Row, Row3, levels};
 use crate::sampling::stream::{Numbers, Purpose, Stream};
 use crate::sampling::warps;
 use fearless_simd::{Level, dispatch};
@@ -57,6 +57,8 @@ fn room(size: f32) -> Vec<Shape> {
         quad([-0.3, 0.999, -0.3], [0.6, 0.0, 0.0], [0.0, 0.0, 0.6]),
         quad([0.1, -1.0, 0.1], [0.4, 0.0, 0.2], [-0.1, 0.7, 0.0]),
         quad([0.5, -1.0, 0.3], [-0.2, 0.0, 0.4], [-0.1, 0.7, 0.0]),
+        // All but parallel to the first of these two.
+        quad([0.3, -0.9, -0.3], [0.4, 4e-7, 0.2], [-0.1, 0.7, 3e-7]),
         quad([-0.8, -0.2, 0.0], [1e-3, 0.0, 0.0], [0.0, 0.9, 0.1]),
         ball(Vec3::new(-0.4, -0.7, 0.3), 0.3, false),
         ball(Vec3::new(0.6, 0.4, -0.5), 0.25, true),
@@ -162,13 +164,13 @@ fn count(few: &FewShapes, shapes: &[Shape], size: f32, level: Level, rounds: u32
             let any = few.occluded(s, &rays, NO_SHAPE, mask(s, ALL_LANES));
             (
                 [first.hit, first.doubt, first.at_triangles].map(bits),
-                first.id,
+                WordRow::from(first.id),
                 [first.t, first.u, first.v].map(Row::from),
                 [first.p, first.error, first.n].map(Row3::from),
                 [any.hit, any.doubt, any.at_triangles].map(bits),
             )
         });
-        for lane in Each(crate::numeric::lanes::ALL_LANES) {
+        for lane in Each(ALL_LANES) {
             let lane_of = |masks: [u32; 3]| masks.map(|mask| mask >> lane & 1 == 1);
             let ray = &rays[lane].0;
             let plain = tree.first_hit(ray);

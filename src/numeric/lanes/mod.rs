@@ -91,6 +91,15 @@ impl<S: Simd> From<Floats<S>> for Row {
     }
 }
 
+impl<S: Simd> From<Words<S>> for WordRow {
+    #[inline(always)]
+    fn from(x: Words<S>) -> WordRow {
+        let mut row = WordRow::default();
+        row.set(x);
+        row
+    }
+}
+
 /// The same number in every lane.
 #[inline(always)]
 pub fn floats<S: Simd>(s: S, x: f32) -> Floats<S> {
