@@ -21,6 +21,14 @@ pub struct Streams {
     directions: [[u32; 2]; INDEX_BITS as usize],
 }
 
+/// Places of sixteen streams.
+#[derive(Clone, Copy, Debug)]
+pub struct Places<S: Simd> {
+    state: Words64<S>,
+    /// Lanes whose points lie evenly there, if their sampler is Sobol'.
+    early: Mask<S>,
+}
+
 impl Streams {
     /// Streams that are still to be set.
     pub fn new(sampler: Sampler) -> Self {
@@ -52,17 +60,25 @@ impl Streams {
         }
     }
 
+    /// The place of each lane: what all purposes have in common.
+    #[inline(always)]
+    pub fn at<S: Simd>(&self, s: S, place: Words<S>) -> Places<S> {
+        let key = Words64::load(s, &self.key);
+        Places {
+            state: mix(key ^ Words64::from(place)),
+            early: place.simd_le(words(s, LAST_EVEN_PLACE as u32)),
+        }
+    }
+
     /// The first four numbers for `purpose` at the place of each lane: [`Stream::at`].
     #[inline(always)]
-    pub fn four<S: Simd>(&self, s: S, place: Words<S>, purpose: Purpose) -> [Floats<S>; 4] {
-        let key = Words64::load(s, &self.key);
+    pub fn four<S: Simd>(&self, s: S, at: &Places<S>, purpose: Purpose) -> [Floats<S>; 4] {
         let what = (purpose as u64).wrapping_mul(0x9e37_79b9_7f4a_7c15);
-        let state = mix(mix(key ^ Words64::from(place)) ^ Words64::splat(s, what));
+        let state = mix(at.state ^ Words64::splat(s, what));
         let index = self.index.get(s);
-        let early: Mask<S> = place.simd_le(words(s, LAST_EVEN_PLACE as u32));
         let even = match self.sampler {
             Sampler::Independent => 0,
-            Sampler::Sobol => bits(early),
+            Sampler::Sobol => bits(at.early),
         };
         if even == 0 {
             return independent(s, state ^ Words64::from(index));
@@ -74,7 +90,7 @@ impl Streams {
         let others = independent(s, state ^ Words64::from(index));
         let mut numbers = points;
         for (number, other) in numbers.iter_mut().zip(others) {
-            *number = early.select(*number, other);
+            *number = at.early.select(*number, other);
         }
         numbers
     }
@@ -109,11 +125,11 @@ impl Streams {
 
 /// The second dimension of the Sobol' sequence from the first, both with their bits reversed.
 ///
-/// Its matrix is Pascal's triangle modulo 2. That of twice as many bits is four blocks: three such triangles, and zeros.
+/// Its matrix is Pascal's triangle modulo 2. For twice as many bits it is made of four blocks: three such triangles, and
+/// zeros. So it takes a step for each doubling.
 ///
 /// Source: Sobol', On the Distribution of Points in a Cube and the Approximate Evaluation of Integrals (USSR
-/// Computational Mathematics and Mathematical Physics 7(4), 1967); for the triangle Faure, Discrépance de suites
-/// associées à un système de numération (Acta Arithmetica 41, 1982).
+/// Computational Mathematics and Mathematical Physics 7(4), 1967).
 #[inline(always)]
 fn pascal<S: Simd>(s: S, x: Words<S>) -> Words<S> {
     let x = x ^ ((x >> 1) & words(s, 0x5555));
@@ -247,7 +263,7 @@ mod tests {
                 }));
                 for purpose in [Purpose::Pixel, Purpose::LightPoint, Purpose::Direction] {
                     let rows = dispatch!(level, s => {
-                        streams.four(s, places.get(s), purpose).map(Row::from)
+                        streams.four(s, &streams.at(s, places.get(s)), purpose).map(Row::from)
                     });
                     for (lane, stream) in plain.iter().enumerate() {
                         let mut numbers = stream.at(u64::from(places.0[lane]), purpose);

@@ -145,7 +145,6 @@ impl Parallel {
         self.quads.iter_mut().for_each(|quad| quad.bound = 0.0);
     }
 
-    // ANCHOR: look
     /// How the rays run to the planes of all of these quads.
     #[inline(always)]
     pub(super) fn incidence<S: Simd>(&self, s: S, rays: &Rays<S>, scale: Scale<S>) -> Incidence<S> {
@@ -163,6 +162,7 @@ impl Parallel {
         }
     }
 
+    // ANCHOR: look
     /// Where the rays cross the plane of a quad.
     ///
     /// With `R = reach + |t| speed`, the largest coordinate on the way, each form `w · p` is off by at most

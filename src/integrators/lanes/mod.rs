@@ -169,7 +169,8 @@ impl<'w, 's, S: Simd> Walk<'w, 's, S> {
         self.paths.start(s, started);
         if let Some([origin, forward, right, up]) = self.by.pinhole {
             // `Scene::camera_ray`.
-            let [u, v, ..] = self.streams.four(s, words(s, 0), Purpose::Pixel);
+            let at = self.streams.at(s, words(s, 0));
+            let [u, v, ..] = self.streams.four(s, &at, Purpose::Pixel);
             let [width, height] = scene.size.map(|n| n as f32);
             let x = (place[0].get(s) + u) / width * 2.0 - 1.0;
             let y = floats(s, 1.0) - (place[1].get(s) + v) / height * 2.0;

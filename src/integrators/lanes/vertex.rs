@@ -11,6 +11,7 @@ use crate::materials::Event;
 use crate::numeric::lanes::{
     Each, Floats, Mask, Row, Row3, Vector, bits, floats, mask, offset_origin, sin_cos, words,
 };
+use crate::sampling::lanes::Places;
 use crate::sampling::stream::Purpose;
 use crate::scene::{RayCounts, Tracer};
 use fearless_simd::prelude::*;
@@ -62,6 +63,8 @@ struct Vertices<S: Simd> {
     n: Vector<S>,
     cos_o: Floats<S>,
     albedo: Vector<S>,
+    /// The place of their random numbers.
+    numbers: Places<S>,
 }
 
 impl<'s, S: Simd> Walk<'_, 's, S> {
@@ -86,6 +89,7 @@ impl<'s, S: Simd> Walk<'_, 's, S> {
             n,
             cos_o,
             albedo: paths.albedo.get(s),
+            numbers: self.streams.at(s, paths.depth.get(s)),
         };
         self.aim(tracer, &vertices);
         self.go_on(&vertices)
@@ -98,8 +102,7 @@ impl<'s, S: Simd> Walk<'_, 's, S> {
         let zero = floats(s, 0.0);
         let (mut sample, plain, target) = match scene.light() {
             Some((light, shape)) => {
-                let depth = self.paths.depth.get(s);
-                let [u, v, ..] = self.streams.four(s, depth, Purpose::LightPoint);
+                let [u, v, ..] = self.streams.four(s, &at.numbers, Purpose::LightPoint);
                 let near = light.is_near(s, &at.from) & at.lanes;
                 (light.sample_area(s, &at.from, [u, v]), bits(near), *shape)
             }
@@ -228,7 +231,7 @@ impl<'s, S: Simd> Walk<'_, 's, S> {
         let (s, zero) = (self.s, floats(self.s, 0.0));
         let paths = &mut *self.paths;
         let depth = paths.depth.get(s);
-        let [u, v, _, left] = self.streams.four(s, depth, Purpose::Direction);
+        let [u, v, _, left] = self.streams.four(s, &at.numbers, Purpose::Direction);
         // `hemisphere::sample_cosine`.
         let (sin_phi, cos_phi) = sin_cos(s, v * TAU);
         let sin = u.sqrt();
