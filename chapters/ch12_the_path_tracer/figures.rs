@@ -96,8 +96,8 @@ pub fn finale(desk: &mut Desk) -> Result<u64, DeskError> {
         title: "A still life in the light of one window, by the path tracer. Look at the window in the chrome, and its blur \
                 in the gold; at the bright spot that the ball of glass throws on the cloth; at the red that the wall lends \
                 the gold; and at the cloth, upside down in the glass.",
-        spp: 16,
-        stops: 0.2,
+        spp: 32,
+        stops: 0.0,
     };
     let scene = gallery::load("final")?;
     let path = Path::new(scene.suggested.max_depth);
