@@ -69,7 +69,7 @@ pub fn idea(desk: &mut Desk) -> Result<(), DeskError> {
 
 /// The box with a mirror and a glass ball by four walks that take about as many rays: all their rays.
 pub fn pictures(desk: &mut Desk) -> Result<u64, DeskError> {
-    let side = desk.choose(112, 32);
+    let side = desk.choose(96, 32);
     let scene = gallery::load("spheres")?.sized([side; 2]);
     let spp = desk.spp(10, 8);
     let by_path = picture(desk, &scene, Path::ENTRY, spp)?;
