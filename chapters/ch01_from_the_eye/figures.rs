@@ -60,7 +60,7 @@ pub fn finale(desk: &mut Desk) -> Result<u64, DeskError> {
         spp: 32,
         stops: 0.2,
     };
-    let scene = gallery::load("courtyard")?.sized([512, 288]);
+    let scene = gallery::load("courtyard")?.sized([512, 256]);
     // Direct light alone: a ray to the sun, and one in a random direction for the sky.
     let direct = Combine {
         max_depth: 2,

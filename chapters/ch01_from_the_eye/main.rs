@@ -71,7 +71,7 @@ fn work(desk: &mut Desk) -> Result<Ledger, DeskError> {
     agreement(desk, &light, &eye);
 
     // What the same error costs either way, against a reference from other random numbers.
-    let reference = view.picture_by_eye(desk.choose(4_096, 1_024), seed + 1);
+    let reference = view.picture_by_eye(desk.choose(2_048, 1_024), seed + 1);
     let (doublings, replicates) = desk.choose((5, 3), (3, 3));
     let prices = prices::measure(&view, &reference.film, doublings, replicates, seed + 2);
     prices::record(desk, &prices);

@@ -83,7 +83,7 @@ fn work(desk: &mut Desk) -> Result<Ledger, DeskError> {
     // The rate: error against samples, over independent repetitions.
     let design = Design {
         replicates: desk.choose(256, 256),
-        doublings: desk.choose(11, 9),
+        doublings: desk.choose(10, 9),
         first: 64,
         seed,
     };
@@ -110,7 +110,7 @@ fn work(desk: &mut Desk) -> Result<Ledger, DeskError> {
 
     // ANCHOR: worse
     // Two independent runs, one of twice as many samples: how often is it further off?
-    let pairs = desk.choose(100_000, 10_000);
+    let pairs = desk.choose(40_000, 10_000);
     let error = |n, seed| (hit_or_miss::sample_mean(n, seed).mean() - PI).abs();
     let worse = (0..pairs)
         .into_par_iter()

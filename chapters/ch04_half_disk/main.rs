@@ -37,7 +37,7 @@ fn work(desk: &mut Desk) -> Result<Ledger, DeskError> {
     figures::drawings(desk)?;
 
     // What each slip reads under a white sky, where the answer is the albedo.
-    let gathers = desk.choose(400_000, 40_000);
+    let gathers = desk.choose(200_000, 40_000);
     figures::readings(desk, gathers);
 
     let mut compared = radiometry::numbers(desk);
@@ -45,7 +45,7 @@ fn work(desk: &mut Desk) -> Result<Ledger, DeskError> {
     // A lamp over a floor: the essay's formula as it stands, and the seven steps.
     let lamp = load("lamp")?;
     let floor = probe(&lamp)?;
-    let samples = desk.choose(1_000_000, 100_000);
+    let samples = desk.choose(500_000, 100_000);
     let walk = Gather {
         samples: 1,
         depth: 1,
@@ -70,7 +70,7 @@ fn work(desk: &mut Desk) -> Result<Ledger, DeskError> {
     let room = load("room")?;
     let middle = probe(&room)?;
     let deep = Gather { depth: 40, ..walk };
-    let walks = desk.choose(120_000, 60_000);
+    let walks = desk.choose(80_000, 60_000);
     let read = plane_world::reflected(&room, &middle, &deep, walks, seed);
     let says = "a room with a shining ceiling: middle of the floor";
     desk.estimate("room", says, &read, Some(exact::ROOM_FLOOR));
@@ -80,7 +80,7 @@ fn work(desk: &mut Desk) -> Result<Ledger, DeskError> {
     // More rays help the right estimator, not the wrong one.
     let design = Design {
         replicates: desk.choose(256, 64),
-        doublings: desk.choose(11, 8),
+        doublings: desk.choose(10, 8),
         seed,
         ..Design::default()
     };

@@ -187,7 +187,7 @@ fn diffuse() -> Sketch {
 /// Irradiances under a white sky and under a bulb, and the radiance of a furnace; how far they are from
 /// what they should be.
 pub fn numbers(desk: &mut Desk) -> Largest {
-    let (samples, seed) = (desk.choose(500_000, 100_000), desk.options.seed);
+    let (samples, seed) = (desk.choose(300_000, 100_000), desk.options.seed);
     let mut compared = Largest::default();
     let mut record = |name: &str, says: &str, read: &Estimate, exact: f64| {
         desk.estimate(name, says, read, Some(exact));

@@ -44,7 +44,7 @@ pub struct Drawn {
 
 /// Draws the angles of a world and tests them: what was drawn, and how far the mean cosine is off.
 pub fn work(desk: &mut Desk, world: World, name: &str, mean: f64) -> (Vec<Drawn>, f64) {
-    let (count, seed) = (desk.choose(1_000_000, 200_000), desk.options.seed);
+    let (count, seed) = (desk.choose(500_000, 200_000), desk.options.seed);
     let polar = (world.low == 0.0).then(polar);
     let drawn: Vec<Drawn> = (0..)
         .zip(world.laws.into_iter().chain(polar))

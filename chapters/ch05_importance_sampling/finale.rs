@@ -36,7 +36,7 @@ pub fn work(desk: &mut Desk) -> Result<u64, DeskError> {
         title: "Malley's method in space, by the path tracer of chapter 12: even points of a disc (blue), lifted to the half ball \
                 above it (red). Look at the half ball: the beads are dense at its top and sparse at its rim, as the cosine asks.",
         spp: 32,
-        stops: 0.7,
+        stops: 0.2,
     };
     desk.finale_of("lifted.toml", &text, &finale)
 }

@@ -45,7 +45,7 @@ fn work(desk: &mut Desk) -> Result<Ledger, DeskError> {
     let (z_tree, rays_tree) = compare::tree_and_paths(desk)?;
     [z_room, z_tree].into_iter().for_each(|z| compared.add(z));
     let rays_split = compare::splitting(desk)?;
-    let side = desk.choose(96, 48);
+    let side = desk.choose(80, 48);
     let scene = gallery::load("cornell")?.sized([side; 2]);
     let rays_forty = figures::forty_paths(desk, &scene)?;
     let rays_noise = figures::noise(desk, desk.choose(6, 6))?;

@@ -8,9 +8,9 @@ pub fn work(desk: &mut Desk) -> Result<u64, DeskError> {
         file: "shares.png",
         title: "Five balls, from the left: diffuse; a quarter mirror; all mirror; a mixture of all three; and glass. \
                 By the path tracer, which chooses one ray at each surface. Look at the bright spots on the table: \
-                glass focuses the lamp's light.",
+                glass focuses the light of the sun.",
         spp: 32,
-        stops: 0.8,
+        stops: 0.2,
     };
     desk.finale_of("shares.toml", include_str!("shares.toml"), &finale)
 }

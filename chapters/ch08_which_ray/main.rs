@@ -100,9 +100,9 @@ fn work(desk: &mut Desk) -> Result<Ledger, DeskError> {
     for (choice, name, called) in RULES {
         let mut variance = Estimate::new();
         let mut rays = Estimate::new();
-        for batch in 0..desk.choose(8, 4) {
+        for batch in 0..desk.choose(6, 4) {
             let own = seed.wrapping_mul(1000).wrapping_add(batch);
-            let spp = desk.choose(32, 8);
+            let spp = desk.choose(24, 8);
             let part = picture(desk, &small, &which(choice), spp, own)?;
             variance.add(part.film.sample_variance());
             rays.add(part.rays.total() as f64 / part.rays.camera as f64);

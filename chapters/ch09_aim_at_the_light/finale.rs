@@ -9,7 +9,7 @@ pub fn work(desk: &mut Desk) -> Result<u64, DeskError> {
         title: "One lamp of four centimetres in a ring of posts, by the path tracer. Look at the shadows: their \
                 edges are sharp, for the lamp is small. Of the walks by chance next to none would find it.",
         spp: 32,
-        stops: 0.8,
+        stops: 0.6,
     };
     desk.finale_of("lantern.toml", include_str!("lantern.toml"), &finale)
 }

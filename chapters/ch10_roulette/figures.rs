@@ -65,7 +65,7 @@ pub fn plateau(desk: &mut Desk) -> Result<u64, DeskError> {
 
 /// The variance as it looks after so many walks; the rays.
 pub fn running(desk: &mut Desk) -> Result<u64, DeskError> {
-    let (doublings, seed) = (desk.choose(20, 16), desk.options.seed);
+    let (doublings, seed) = (desk.choose(18, 16), desk.options.seed);
     let played: Vec<_> = [50, 65, 80, 95]
         .into_par_iter()
         .map(|percent| {

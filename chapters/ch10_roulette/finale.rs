@@ -6,11 +6,11 @@ use halfdisk::lab::chapter::{Desk, DeskError, Finale};
 pub fn work(desk: &mut Desk) -> Result<u64, DeskError> {
     let finale = Finale {
         file: "steps.png",
-        title: "White steps by the path tracer, with roulette from the fifth segment on. Look at the sides of the \
-                steps that no lamp shines on: their light has bounced several times, and a depth cut would darken \
-                them.",
+        title: "White steps in the sun by the path tracer, with roulette from the fifth segment on. Look at the sides \
+                that the sun does not reach: the steps below them send up light that has bounced, and a depth cut would \
+                darken them.",
         spp: 32,
-        stops: 0.5,
+        stops: 0.0,
     };
     desk.finale_of("steps.toml", include_str!("steps.toml"), &finale)
 }

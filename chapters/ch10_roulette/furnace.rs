@@ -166,7 +166,7 @@ pub fn needed(desk: &mut Desk) {
     let target = 0.01 * game.mean();
     let walks = (game.variance() / (target * target)).round();
     desk.value("needed", "survival 0.9: walks for an error of 1 %", walks);
-    let runs = desk.choose(500, 200);
+    let runs = desk.choose(300, 200);
     let seed = desk.options.seed;
     let squares: Vec<f64> = (0..runs)
         .into_par_iter()

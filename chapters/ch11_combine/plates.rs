@@ -22,7 +22,7 @@ impl Integrator for ByTechnique {
 
 /// Paints the plates in all ways; the rays that took.
 pub fn work(desk: &mut Desk) -> Result<u64, DeskError> {
-    let size = desk.choose([256, 192], [64, 48]);
+    let size = desk.choose([224, 168], [64, 48]);
     let scene = gallery::load("veach")?.sized(size);
     let max_depth = 2;
     let both = |heuristic| Combine {

@@ -127,7 +127,7 @@ fn size(hundredths: u32, walks: u32, seed: u64) -> Result<Size, DeskError> {
 
 /// The same where points of the lamp are drawn by its length, without rays.
 pub fn by_length(desk: &mut Desk) {
-    let samples = desk.choose(400_000, 50_000);
+    let samples = desk.choose(200_000, 50_000);
     for hundredths in [3, 100, 150] {
         let lamp = Overhead {
             half_angle: f64::from(hundredths) / 100.0,

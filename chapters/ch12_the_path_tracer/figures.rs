@@ -69,7 +69,7 @@ pub fn idea(desk: &mut Desk) -> Result<(), DeskError> {
 
 /// The box with a mirror and a glass ball by four walks that take about as many rays: all their rays.
 pub fn pictures(desk: &mut Desk) -> Result<u64, DeskError> {
-    let side = desk.choose(112, 32);
+    let side = desk.choose(96, 32);
     let scene = gallery::load("spheres")?.sized([side; 2]);
     let spp = desk.spp(10, 8);
     let by_path = picture(desk, &scene, Path::ENTRY, spp)?;
@@ -96,8 +96,8 @@ pub fn finale(desk: &mut Desk) -> Result<u64, DeskError> {
         title: "A still life in the light of one window, by the path tracer. Look at the window in the chrome, and its blur \
                 in the gold; at the bright spot that the ball of glass throws on the cloth; at the red that the wall lends \
                 the gold; and at the cloth, upside down in the glass.",
-        spp: 16,
-        stops: 0.2,
+        spp: 32,
+        stops: 0.0,
     };
     let scene = gallery::load("final")?;
     let path = Path::new(scene.suggested.max_depth);

@@ -8,9 +8,9 @@ pub fn work(desk: &mut Desk) -> Result<u64, DeskError> {
         file: "row.png",
         title: "All six integrals at once, by the path tracer. Look at the edges (pixel), the shadows (lamp), the \
                 ball in front that is out of focus (lens), the blue ball in flight (time), the reflections in the \
-                brushed tray (gloss), and the grey of the wall above it (hemisphere).",
+                brushed tray (gloss), and the blue that the sky lends the shadows (hemisphere).",
         spp: 32,
-        stops: 0.2,
+        stops: -0.2,
     };
     desk.finale_of("row.toml", include_str!("row.toml"), &finale)
 }

@@ -41,7 +41,7 @@ fn work(desk: &mut Desk) -> Result<Ledger, DeskError> {
     let mut rows = Vec::new();
     let mut compared = Largest::default();
     for profile in Profile::all() {
-        let (row, rays) = profile.read(desk.choose(16_384, 4096), seed, |_| {})?;
+        let (row, rays) = profile.read(desk.choose(8_192, 4096), seed, |_| {})?;
         let z = row.iter().map(|r| r.z().abs()).fold(0.0, f64::max);
         let off = row.iter().map(|r| (r.read.mean() - r.exact).abs());
         let name = figures::name(profile.integral);
@@ -74,7 +74,7 @@ fn work(desk: &mut Desk) -> Result<Ledger, DeskError> {
     compared.add(cone.z(PI / 4.0));
 
     // The same scene without any integral, with each alone, and with all.
-    let scene = gallery::load("six")?.sized(desk.choose([280, 210], [160, 120]));
+    let scene = gallery::load("six")?.sized(desk.choose([240, 180], [160, 120]));
     let none = picture(desk, &scene, Integral::NONE, 1)?;
     let text = "No integral: jagged edges, hard shadows, all in focus.";
     desk.picture("none.png", text, &none.film, &scene)?;

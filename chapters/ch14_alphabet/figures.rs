@@ -94,7 +94,7 @@ pub struct Drawn {
 
 /// A picture for each class, which add up to the whole one.
 pub fn strip(desk: &mut Desk) -> Result<Drawn, DeskError> {
-    let side = desk.choose(128, 32);
+    let side = desk.choose(112, 32);
     let scene = gallery::load("spheres")?.sized([side; 2]);
     let path = Path::new(scene.suggested.max_depth);
     let whole = paint(desk, &scene, &path)?;

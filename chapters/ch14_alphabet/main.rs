@@ -47,7 +47,7 @@ fn work(desk: &mut Desk) -> Result<Ledger, DeskError> {
     // Every path of four renders, spelt.
     let (mut groups, mut spelt) = (Vec::new(), 0);
     for name in SCENES {
-        let side = desk.choose(48, 24);
+        let side = desk.choose(36, 24);
         let scene = gallery::load(name)?.sized([side; 2]);
         let words = spell(desk, &scene);
         spelt += words.rays;

@@ -121,7 +121,7 @@ fn room(desk: &mut Desk, name: &str, scene: &Scene) -> Result<u64, DeskError> {
             patches: &patches,
             path,
         },
-        desk.choose(160, 96),
+        desk.choose(112, 96),
         3,
     )?;
     let fought = Fought {

@@ -6,7 +6,7 @@ use halfdisk::lab::chapter::{Desk, DeskError, Finale};
 pub fn work(desk: &mut Desk) -> Result<u64, DeskError> {
     let finale = Finale {
         file: "hall.png",
-        title: "A hall where all is diffuse, by the path tracer. Its light is the same from every side, so patches \
+        title: "A hall without a roof where all is diffuse, in the sun, by the path tracer. Its light is the same from every side, so patches \
                 could hold it. Look at the shadows of the piers: patches would blur their edges.",
         spp: 32,
         stops: 0.0,

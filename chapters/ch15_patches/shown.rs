@@ -72,7 +72,7 @@ pub fn with_metal(said: &mut Description) {
 /// Draws the box; the rays that took.
 pub fn work(desk: &mut Desk) -> Result<u64, DeskError> {
     desk.say("\nthe box with its blocks");
-    let scene = gallery::load("cornell")?.sized(desk.choose([224; 2], [48; 2]));
+    let scene = gallery::load("cornell")?.sized(desk.choose([192; 2], [48; 2]));
     let number = PatchSize::Number(desk.choose(600, 250));
     let bar = desk.bar("patches");
     let made = Radiosity::new(&scene, scene.suggested.max_depth, number, &bar)?;

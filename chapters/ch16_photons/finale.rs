@@ -10,7 +10,7 @@ pub fn work(desk: &mut Desk) -> Result<u64, DeskError> {
                 of glass, and the light that the mirror throws on the table. Look into the mirror and through the glass: \
                 there the spots are missing, and only photons would show them.",
         spp: 32,
-        stops: 0.7,
+        stops: 0.5,
     };
     desk.finale_of("evening.toml", include_str!("evening.toml"), &finale)
 }

@@ -27,7 +27,7 @@ const RADII: [(f32, &str, &str); 3] = [
 pub fn work(desk: &mut Desk) -> Result<u64, DeskError> {
     desk.say("\nthe radius in pictures");
     let scene = scene("ball.toml", include_str!("ball.toml"))?;
-    let scene = scene.sized(desk.choose([160; 2], [48; 2]));
+    let scene = scene.sized(desk.choose([128; 2], [48; 2]));
     let mut rays = 0;
     for (radius, name, look) in RADII {
         let photons = Photons {

@@ -8,7 +8,7 @@ use halfdisk::render::{Options, render};
 pub fn work(desk: &mut Desk) -> Result<u64, DeskError> {
     desk.say("\nlight that nobody else sees");
     let scene = scene("bulb.toml", include_str!("bulb.toml"))?;
-    let size = desk.choose([240, 180], [64, 48]);
+    let size = desk.choose([200, 150], [64, 48]);
     let scene = scene.sized(size);
     let depth = scene.suggested.max_depth;
     let photons = Photons {

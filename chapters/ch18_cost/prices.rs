@@ -31,11 +31,11 @@ pub struct Prices {
 /// Measures and records all prices.
 pub fn work(desk: &mut Desk) -> Result<Prices, DeskError> {
     // In smaller pictures the edge of the lamp, in few large pixels, would decide all.
-    let side = desk.choose(48, 32);
+    let side = desk.choose(40, 32);
     let scene = gallery::load("cornell")?.sized([side; 2]);
     // ANCHOR: measure
     let design = Design {
-        replicates: desk.choose(8, 6),
+        replicates: desk.choose(6, 6),
         sizes: 3,
         budget: Budget::Rays(desk.choose(120_000, 100_000)),
         reference: 16,

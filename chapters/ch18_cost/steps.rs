@@ -12,7 +12,7 @@ use halfdisk::stats::{Estimate, Measurement};
 pub fn falls(desk: &mut Desk) -> Result<(), DeskError> {
     // ANCHOR: falls
     let lamp = named::find("half-disk-lamp").ok_or(DeskError::Missing("the lamp".to_owned()))?;
-    let (runs, seed) = (desk.choose(20, 10), desk.options.seed);
+    let (runs, seed) = (desk.choose(12, 10), desk.options.seed);
     let found = noise::falls(runs, lamp.truth, |block| {
         (lamp.run)(1000, seed << 32 | u64::from(block))
     });

@@ -13,13 +13,13 @@ pub fn work(desk: &mut Desk) -> Result<u64, DeskError> {
         let says = format!("effects that {name} asks for");
         desk.value(&format!("asks_of_{name}"), &says, asks as f64);
     }
-    let scene = gallery::load("courtyard")?.sized([512, 288]);
+    let scene = gallery::load("courtyard")?.sized([512, 256]);
     let finale = Finale {
         file: "courtyard.png",
         title: "A courtyard at noon. Look at the blue of the shadows, which only the sky lights; at the caustic behind the \
                 ball of glass; at the tint of the tiles on the walls above them; and at the mirror ball, which shows what \
                 lies behind you.",
-        spp: 32,
+        spp: 36,
         stops: 0.2,
     };
     let path = Path::new(scene.suggested.max_depth);

@@ -46,7 +46,7 @@ fn look_at(class: Class) -> &'static str {
 
 /// Paints them.
 pub fn work(desk: &mut Desk) -> Result<Drawn, DeskError> {
-    let scene = load(ROOM, desk.choose([200; 2], [48; 2]))?;
+    let scene = load(ROOM, desk.choose([176; 2], [48; 2]))?;
     let path = Path::new(scene.suggested.max_depth);
     let whole = paint(desk, &scene, desk.spp(16, 8), &path)?;
     let caption = "The room. Look for the bright spot that the glass ball gathers on the floor, for the second one \

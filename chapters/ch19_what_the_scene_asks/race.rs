@@ -37,7 +37,7 @@ struct Entry {
 
 /// Lets them run.
 pub fn work(desk: &mut Desk) -> Result<Race, DeskError> {
-    let scene = load(ROOM, desk.choose([20; 2], [12; 2]))?;
+    let scene = load(ROOM, desk.choose([16; 2], [12; 2]))?;
     let (truth, mut rays) = reference(desk, &scene)?;
     let sizes = desk.choose(4, 2);
     let mut entries = vec![vec![Entry::default(); SIZES.len()]; WALKS.len()];

@@ -77,7 +77,7 @@ pub fn point_through_glass(desk: &mut Desk) -> Result<u64, DeskError> {
     let lost = out_of_reach(&scene.inventory)
         .ok_or_else(|| DeskError::Missing("the point's light is within reach".to_owned()))?;
     let options = Options {
-        spp: desk.choose(64, 16),
+        spp: desk.choose(40, 16),
         seed: desk.options.seed,
         ..Options::default()
     };

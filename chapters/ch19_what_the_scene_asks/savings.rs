@@ -53,7 +53,7 @@ pub fn absent(desk: &mut Desk) -> Result<u64, DeskError> {
     let (spp, rounds) = desk.choose((2, 12), (1, 4));
     let (mut groups, mut rays) = (Vec::new(), 0);
     for name in SCENES {
-        let size = desk.choose([48; 2], [16; 2]);
+        let size = desk.choose([40; 2], [16; 2]);
         // ANCHOR: absent
         let plain = load(name, size)?;
         let all_on = plain.clone().with_all_effects();

@@ -7,7 +7,7 @@ use halfdisk::render::{Options, render};
 
 /// Paints them; the rays they took.
 pub fn pictures(desk: &mut Desk) -> Result<u64, DeskError> {
-    let scene = load(|_| {})?.sized(desk.choose([200; 2], [32; 2]));
+    let scene = load(|_| {})?.sized(desk.choose([176; 2], [32; 2]));
     let depth = scene.suggested.max_depth;
     let photons = Photons {
         walks: Some(desk.choose(1 << 16, 1 << 12)),

@@ -78,7 +78,10 @@ pub(super) fn lasting(seconds: f64) -> String {
     match seconds {
         s if s < 9.95 => format!("{s:.1} s"),
         s if s < 99.5 => format!("{s:.0} s"),
-        s => format!("{:.0} min", (s / 60.0).ceil()),
+        s => {
+            let whole = s.round() as u64;
+            format!("{} min {} s", whole / 60, whole % 60)
+        }
     }
 }
 
@@ -120,8 +123,8 @@ mod tests {
         let left = waiting.left().unwrap();
         assert!((left - 14.0).abs() < 0.5, "{left}");
         assert_eq!(
-            [9.0, 34.2, 61.0 * 2.0].map(lasting),
-            ["9.0 s", "34 s", "3 min"]
+            [9.0, 34.2, 130.4].map(lasting),
+            ["9.0 s", "34 s", "2 min 10 s"]
         );
     }
 }
