@@ -48,13 +48,15 @@ pub struct PixelSample {
 }
 
 impl<'s> PathInLanes<'s> {
-    /// `None` for scenes whose paths had better be traced one by one: see [`SceneInLanes::new`].
+    /// `None` for scenes whose paths had better be traced one by one: see [`SceneInLanes::new`]. `None` in programs that are
+    /// not optimised, too: each operation is a call there, and all of them together need more stack than a thread has.
     pub fn new(path: &Path, scene: &'s Scene) -> Option<Self> {
         let focuses = scene.kinds() & kinds::SPECULAR != 0;
         let from_lights = focuses && path.traces_caustics(scene);
         // Where caustics are looked for from the eye, most vertices would go lane by lane.
         let guided = focuses && !from_lights && !scene.casters.is_empty();
-        (path.max_depth > 0 && !guided).then_some(())?;
+        let optimised = !cfg!(debug_assertions);
+        (optimised && path.max_depth > 0 && !guided).then_some(())?;
         Some(PathInLanes {
             path: *path,
             scene: SceneInLanes::new(scene)?,

@@ -32,6 +32,7 @@ fn assert_same(a: &Rendered, b: &Rendered, what: &str) {
 }
 
 #[test]
+#[cfg_attr(debug_assertions, ignore = "only optimised programs have lanes")]
 fn every_scene_is_the_same_picture_in_lanes_by_all_instructions() {
     let mut in_lanes = 0;
     for (name, _) in gallery::GALLERY {
@@ -56,6 +57,7 @@ fn every_scene_is_the_same_picture_in_lanes_by_all_instructions() {
 }
 
 #[test]
+#[cfg_attr(debug_assertions, ignore = "only optimised programs have lanes")]
 fn whoever_asks_for_path_by_name_gets_lanes() {
     let scene = gallery::load("cornell").expect("a scene");
     let settings = crate::integrators::Settings::new(8);
@@ -74,6 +76,7 @@ fn whoever_asks_for_path_by_name_gets_lanes() {
 }
 
 #[test]
+#[cfg_attr(debug_assertions, ignore = "only optimised programs have lanes")]
 fn effects_at_no_strength_change_no_bit_and_keep_the_lanes() {
     for name in ["cornell", "mesh"] {
         let scene = gallery::load(name).expect("a scene").sized([18, 14]);
