@@ -47,7 +47,7 @@ fn on_every_scene_whose_light_both_find() {
             continue;
         }
         let max_depth = scene.suggested.max_depth.min(8);
-        let ours = rendered(&scene, &LightTracer { max_depth }, 2048, 1);
+        let ours = rendered(&scene, &LightTracer { max_depth }, 3072, 1);
         let theirs = by_path(&scene, max_depth, 1024);
         if theirs.film.mean().0 == 0.0 {
             assert!(ours.is_black(), "{name}");

@@ -61,12 +61,10 @@ mod tests {
                 let wide = transpose_wide(s, &wide.each_ref());
                 (transpose(all).map(Row::from), wide.map(|x| Row::from(x.narrow())))
             });
-            for row in 0..LANES {
-                for column in 0..LANES {
-                    assert_eq!(columns[column].0[row], number(row, column), "{level:?}");
-                }
-                for column in 0..LANES / 2 {
-                    assert_eq!(halves[column].0[row], number(row, column), "{level:?}");
+            let halves = halves.iter().enumerate();
+            for (place, column) in columns.iter().enumerate().chain(halves) {
+                for (row, x) in column.0.iter().enumerate() {
+                    assert_eq!(*x, number(row, place), "{level:?}");
                 }
             }
         }
