@@ -123,6 +123,8 @@ impl Render {
 
     /// Renders, from the beginning or from where another render ended.
     fn go_on(self, from: Option<&Resumed>) -> Result<(), Stop> {
+        // Before anything asks for threads: large meshes are put into their tree by all of them.
+        use_threads(self.threads)?;
         let mut whole = gallery::load(self.scene())?;
         if let Some(size) = self.size {
             whole = whole.sized(size);
@@ -169,7 +171,6 @@ impl Render {
         for map in self.maps.pictures(&path) {
             output::prepare(&map, &scene)?;
         }
-        use_threads(self.threads)?;
 
         // What refuses the scene says so before anything else is said.
         let start = Moment::now();

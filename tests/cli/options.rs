@@ -62,3 +62,17 @@ fn a_heading_in_the_help_names_its_own_options_and_no_others() {
         }
     }
 }
+
+#[test]
+fn threads_are_as_many_as_asked_for_also_where_a_large_mesh_is_loaded() {
+    let folder = folder();
+    let pictures = ["1", "3"].map(|threads| {
+        let name = format!("{threads}.exr");
+        let few = ["render", "mesh", "--size", "4x4", "--spp", "1"];
+        let rest = ["--threads", threads, "--out", &name];
+        let output = halfdisk(folder.path(), &[&few[..], &rest].concat());
+        assert!(output.status.success(), "{}", complaint(&output));
+        std::fs::read(folder.path().join(name)).unwrap()
+    });
+    assert_eq!(pictures[0], pictures[1]);
+}

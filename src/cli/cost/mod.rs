@@ -7,9 +7,7 @@ mod text;
 use self::share::Shared;
 use super::answer::{answer, to_json};
 use super::choices::size;
-use super::{
-    Bytes, Stop, check_folder, drawn, folder, note_slow_build, reduced, save, use_threads,
-};
+use super::{Bytes, Stop, check_folder, drawn, folder, note_slow_build, reduced, save};
 use crate::lab::chapter::{Bar, on_ctrl_c, tell, whole};
 use crate::lab::experiment::cost::strip::{Shown, affordable, needed, show};
 use crate::lab::experiment::cost::{
@@ -155,7 +153,6 @@ impl Cost {
             None => self.methods(&scene)?,
         };
         let folder = self.folder(&scene, &methods)?;
-        use_threads(None)?;
         let stop = on_ctrl_c();
         let design = Design {
             replicates: shared.as_ref().map_or(self.replicates, |s| s.replicates),
