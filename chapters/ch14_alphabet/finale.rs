@@ -7,8 +7,8 @@ pub fn work(desk: &mut Desk) -> Result<u64, DeskError> {
     let finale = Finale {
         file: "room.png",
         title: "Two walls between which every class of light has its place, by the path tracer. Look at the lamp in the \
-                mirror ball (LS+E), at the block (LDE), at the bright spot below the glass (LS+DE), and at the red \
-                on the left face of the block (LDDE).",
+                mirror ball (LS+E), at the block (LDE), at the bright spot below the glass (LS+DE), and at the \
+                faint red on the left face of the block (LDDE).",
         spp: 32,
         stops: 0.3,
     };
