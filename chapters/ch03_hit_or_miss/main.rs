@@ -82,7 +82,7 @@ fn work(desk: &mut Desk) -> Result<Ledger, DeskError> {
 
     // The rate: error against samples, over independent repetitions.
     let design = Design {
-        replicates: desk.choose(256, 256),
+        replicates: 256,
         doublings: desk.choose(10, 9),
         first: 64,
         seed,

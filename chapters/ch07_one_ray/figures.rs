@@ -161,7 +161,7 @@ pub fn edge(desk: &mut Desk) -> Result<u64, DeskError> {
         text: include_str!("edge.toml"),
     };
     let scene = gallery::from_text(source, None, |_| {})?;
-    let spp = desk.choose(4096, 4096);
+    let spp = 4096;
     let found = picture(desk, &scene, &Kajiya { max_depth: 1 }, spp, 0)?;
     let [width, height] = scene.size;
     let (mut worst, mut edges) = (0.0_f64, 0);

@@ -48,7 +48,7 @@ fn work(desk: &mut Desk) -> Result<Ledger, DeskError> {
     let side = desk.choose(80, 48);
     let scene = gallery::load("cornell")?.sized([side; 2]);
     let rays_forty = figures::forty_paths(desk, &scene)?;
-    let rays_noise = figures::noise(desk, desk.choose(6, 6))?;
+    let rays_noise = figures::noise(desk, 6)?;
     let rays_edge = figures::edge(desk)?;
     reach(desk)?;
     let last = finale::work(desk)?;

@@ -14,7 +14,7 @@ use std::f64::consts::SQRT_2;
 /// variances of one path took.
 pub fn chart(desk: &mut Desk) -> Result<u64, DeskError> {
     let design = Design {
-        replicates: desk.choose(64, 64),
+        replicates: 64,
         doublings: desk.choose(8, 6),
         first: 4,
         seed: desk.options.seed,
@@ -35,7 +35,7 @@ pub fn chart(desk: &mut Desk) -> Result<u64, DeskError> {
         ("path", "path", &path, independent),
         ("even", "path, even points", &path, even),
     ];
-    let count = desk.choose(40_000, 40_000);
+    let count = 40_000;
     let mut runs: Vec<(Convergence, Option<f64>)> = Vec::new();
     let mut rays = 0;
     for (key, name, by, sampler) in ways {

@@ -12,7 +12,7 @@ const PIXEL: usize = 10;
 /// The variance of one pixel of each row, against its samples.
 pub fn chart(desk: &mut Desk, profiles: &[Profile]) -> Result<(), DeskError> {
     let design = Design {
-        replicates: desk.choose(32, 32),
+        replicates: 32,
         doublings: desk.choose(5, 4),
         first: 4,
         seed: desk.options.seed,

@@ -68,7 +68,7 @@ pub fn work(desk: &mut Desk) -> Result<u64, DeskError> {
     desk.number("point_off", off.unit("%"));
 
     let design = Design {
-        replicates: desk.choose(64, 64),
+        replicates: 64,
         doublings: desk.choose(9, 8),
         first: 4,
         seed,

@@ -62,7 +62,7 @@ fn one(desk: &mut Desk, scene_name: &str, scene: &Scene, truth: &str) -> Result<
         }
     };
     let truth = Reference::new(&half(1)?, &half(2)?, spp);
-    let (doublings, replicates) = (desk.choose(6, 5), desk.choose(3, 3_u64));
+    let (doublings, replicates) = (desk.choose(6, 5), 3);
     let mut courses = Vec::new();
     for name in METHODS {
         let by = made(name, scene)?;

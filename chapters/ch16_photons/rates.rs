@@ -84,8 +84,8 @@ pub fn work(desk: &mut Desk) -> Result<(), DeskError> {
 type Run<'a> = &'a (dyn Fn(f64, u32, u64) -> Vec<f64> + Sync);
 
 fn world(desk: &mut Desk, name: &str, fastest: f64, slope: f64, run: Run) -> Result<(), DeskError> {
-    let last = desk.choose(9, 9);
-    let replicates = desk.choose(48, 48_u64);
+    let last = 9;
+    let replicates = 48;
     let sizes: Vec<u32> = (3..=last).map(|k| 1 << k).collect();
     let mut curves = Vec::new();
     let around = if name == "flat" { "windows" } else { "discs" };

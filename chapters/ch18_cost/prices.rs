@@ -35,7 +35,7 @@ pub fn work(desk: &mut Desk) -> Result<Prices, DeskError> {
     let scene = gallery::load("cornell")?.sized([side; 2]);
     // ANCHOR: measure
     let design = Design {
-        replicates: desk.choose(6, 6),
+        replicates: 6,
         sizes: 3,
         budget: Budget::Rays(desk.choose(120_000, 100_000)),
         reference: 16,

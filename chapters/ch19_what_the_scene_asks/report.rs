@@ -120,7 +120,7 @@ pub fn point_through_glass(desk: &mut Desk) -> Result<u64, DeskError> {
     let radius = 0.2;
     let scene = load(|said| ball(said, radius))?;
     let (mut share, mut unseen) = (Estimate::new(), Estimate::new());
-    for seed in 0..desk.choose(8, 8) {
+    for seed in 0..8 {
         let options = Options { seed, ..options };
         let words = words(&scene, &path, &options, 1);
         rays += words.rays;
