@@ -271,7 +271,7 @@ fn points_and_directions_have_caustics() {
 fn classes_and_words_hold_what_is_traced_from_the_lights() {
     let scene = scene(&[LAMP, BALL]);
     let options = Options {
-        spp: 256,
+        spp: 512,
         seed: 5,
         sampler: Sampler::Sobol,
         ..Options::default()
@@ -310,7 +310,7 @@ fn classes_and_words_hold_what_is_traced_from_the_lights() {
             .find(|(other, _)| other.to_string() == word)
             .unwrap();
         let light = (share.light.mean(), share.light.std_error());
-        let picture = of(&scene, path, word, 256, 9).mean();
+        let picture = of(&scene, path, word, 512, 9).mean();
         alike(word, light, picture, share_noticed);
     }
 }

@@ -183,7 +183,7 @@ fn a_slab_of_glass_lets_the_light_of_a_point_through() {
     alike("slab", through.mean(), (share * mean, share * error), 0.065);
     let path = rendered(&scene(slab), &Path::from_eye(12), 64, 3);
     assert_eq!(path.mean().0, 0.0, "no walk from the eye meets a point");
-    let path = rendered(&scene(slab), &Path::new(12), 1024, 3);
+    let path = rendered(&scene(slab), &Path::new(12), 1792, 3);
     alike("path", path.mean(), through.mean(), 0.11);
 }
 

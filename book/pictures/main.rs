@@ -182,7 +182,7 @@ fn window(desk: &mut Desk) -> Result<u64, DeskError> {
     let mut errors = [0.0; 2];
     let mut rays = 0;
     for (error, text) in errors.iter_mut().zip([text, &open]) {
-        let scene = scene(desk, "window", text)?.sized(desk.choose([96, 72], [48, 36]));
+        let scene = scene(desk, "window", text)?.sized(desk.choose([64, 48], [32, 24]));
         let rendered = rendered(desk, "window", &scene, 32)?;
         rays += rendered.rays.total();
         *error = percent(&rendered);

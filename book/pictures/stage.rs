@@ -41,13 +41,13 @@ const MATERIALS: [(&str, &str, u32, &str); 9] = [
     (
         "rough_glass",
         "rough_glass = { ior = 1.5, roughness = 0.1 }",
-        128,
+        64,
         "frosted: the floor is a blur, and so is the caustic",
     ),
     (
         "mixture",
         "mixture = { kd = [0.5, 0.15, 0.1], ks = 0.2, kt = 0.2 }",
-        48,
+        32,
         "a diffuse colour, a sharp reflection, and some of the floor behind",
     ),
     (
@@ -105,7 +105,7 @@ const LIGHTS: [(&str, &str, u32, &str); 6] = [
     (
         "image",
         "[environment]\nimage = \"dusk.hdr\"",
-        64,
+        32,
         "an evening sky with a low sun, 64 x 32 pixels",
     ),
 ];

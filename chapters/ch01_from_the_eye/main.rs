@@ -53,14 +53,14 @@ fn work(desk: &mut Desk) -> Result<Ledger, DeskError> {
     // The same view both ways, with the same number of rays: first few, then many.
     let scene = gallery::load("lamp")?;
     let view = TwoWays::new(&scene, 0.5)?;
-    let pictures = view.both(desk.spp(800, 800), seed);
+    let pictures = view.both(desk.spp(800, 400), seed);
     desk.value(
         "picture_rays",
         "rays traced for each picture",
         pictures[0].rays as f64,
     );
     figures::pictures(desk, &scene, &pictures)?;
-    let [light, eye] = view.both(desk.choose(5_000, 3_000), seed);
+    let [light, eye] = view.both(desk.choose(4_000, 2_000), seed);
     let wasted = (light.rays - light.useful) as f64 / light.useful as f64;
     desk.value(
         "useful",
@@ -71,7 +71,7 @@ fn work(desk: &mut Desk) -> Result<Ledger, DeskError> {
     agreement(desk, &light, &eye);
 
     // What the same error costs either way, against a reference from other random numbers.
-    let reference = view.picture_by_eye(desk.choose(2_048, 1_024), seed + 1);
+    let reference = view.picture_by_eye(desk.choose(1_024, 512), seed + 1);
     let (doublings, replicates) = desk.choose((5, 3), (3, 3));
     let prices = prices::measure(&view, &reference.film, doublings, replicates, seed + 2);
     prices::record(desk, &prices);

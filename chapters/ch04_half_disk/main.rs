@@ -70,7 +70,7 @@ fn work(desk: &mut Desk) -> Result<Ledger, DeskError> {
     let room = load("room")?;
     let middle = probe(&room)?;
     let deep = Gather { depth: 40, ..walk };
-    let walks = desk.choose(80_000, 60_000);
+    let walks = desk.choose(60_000, 30_000);
     let read = plane_world::reflected(&room, &middle, &deep, walks, seed);
     let says = "a room with a shining ceiling: middle of the floor";
     desk.estimate("room", says, &read, Some(exact::ROOM_FLOOR));

@@ -79,7 +79,7 @@ fn estimator(name: &str) -> Option<Estimator> {
 
 /// Runs a named estimator at many sizes, under a short name.
 fn run(desk: &Desk, name: &str, short: &str) -> Option<Convergence> {
-    let (replicates, doublings) = desk.choose((128, 10), (64, 9));
+    let (replicates, doublings) = desk.choose((128, 9), (64, 8));
     let design = Design {
         replicates,
         doublings,

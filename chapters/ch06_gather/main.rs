@@ -37,19 +37,19 @@ fn work(desk: &mut Desk) -> Result<Ledger, DeskError> {
     // The room is dim for a screen: shown with twice the light.
     desk.expose(1.0);
     // The Cornell box with four directions at each surface, up to three bounces between walls.
-    let scene = gallery::load("cornell")?.sized([desk.choose(112, 96); 2]);
+    let scene = gallery::load("cornell")?.sized([desk.choose(96, 88); 2]);
     let mut pictures = Vec::new();
     for depth in 0..=3 {
         pictures.push(picture(desk, &scene, depth)?);
     }
     figures::pictures(desk, &scene, &pictures)?;
 
-    let bleeding = figures::bleeding(desk, &scene, desk.choose(12_000, 4_000))?;
+    let bleeding = figures::bleeding(desk, &scene, desk.choose(8_000, 3_000))?;
 
     // ANCHOR: bounces
     // A room whose walls all glow: bounce k adds the k-th power of the albedo.
     let mut compared = Largest::default();
-    let (albedo, walks) = (0.5, desk.choose(200_000, 100_000));
+    let (albedo, walks) = (0.5, desk.choose(150_000, 50_000));
     for k in 0..=3 {
         let read = furnace::bounce::<Solid>(Recipe::Uniform, albedo, k, walks, seed);
         let exact = f64::from(albedo).powi(k as i32);
@@ -62,7 +62,7 @@ fn work(desk: &mut Desk) -> Result<Ledger, DeskError> {
     // Lamps one above a floor, found by chance: irradiances with known answers.
     let disk = |w: Vec3| f32::from(w.y > 0.0 && w.x * w.x + w.z * w.z < w.y * w.y);
     let square = |w: Vec3| f32::from(w.y > 0.0 && w.x.abs().max(w.z.abs()) < 0.5 * w.y);
-    let samples = desk.choose(300_000, 200_000);
+    let samples = desk.choose(200_000, 100_000);
     let ball = irradiance::<Solid, _>(ball::<Solid>(0.5, 0.0), samples, seed);
     let disk = irradiance::<Solid, _>(Sky(disk), samples, seed);
     let square = irradiance::<Solid, _>(Sky(square), samples, seed);

@@ -13,7 +13,7 @@ use halfdisk::space::Solid;
 pub fn chart(desk: &mut Desk) -> Result<u64, DeskError> {
     let design = Design {
         replicates: desk.choose(128, 64),
-        doublings: desk.choose(8, 5),
+        doublings: desk.choose(7, 5),
         first: 1,
         seed: desk.options.seed,
     };

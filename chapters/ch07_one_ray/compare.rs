@@ -41,7 +41,7 @@ pub fn tree_and_paths(desk: &mut Desk) -> Result<(f64, u64), DeskError> {
         recipe: Recipe::Cosine,
     };
     let paths = NextEvent { max_depth: 4 };
-    let spp = desk.choose(4, 2);
+    let spp = desk.choose(3, 2);
     let tree = picture(desk, &scene, &tree, spp, 0)?;
     // As many paths as the same rays buy; a few tell how many rays a path has.
     let few = picture(desk, &scene, &paths, 4, 1)?;
@@ -82,14 +82,14 @@ pub fn splitting(desk: &mut Desk) -> Result<u64, DeskError> {
     let (scene, max_depth, seed) = (small()?, 5, desk.options.seed);
     // Where every ray from the eye meets the same surface, and across an edge of the short block.
     let inside = scene.camera.ray(0.35, 0.93);
-    let all = desk.choose(96, 32);
+    let all = desk.choose(64, 32);
     let (mut rays, mut best) = (0, (f64::INFINITY, 0));
     let (mut picture_wide, mut one_point) = (Vec::new(), Vec::new());
     for paths in [1, 2, 4, 16] {
         let split = Split { paths, max_depth };
         let found = picture(desk, &scene, &split, all / paths, 0)?;
         let whole = price(&found);
-        let count = desk.choose(60_000, 40_000) / paths;
+        let count = desk.choose(48_000, 16_000) / paths;
         let walks = walks::solid(&scene, &inside, &split, 0.0, count, seed);
         let point = walks.estimate.variance() * walks.rays_each();
         desk.value(

@@ -112,7 +112,7 @@ pub fn forty_paths(desk: &mut Desk, scene: &Scene) -> Result<u64, DeskError> {
 /// The noise of many paths over the noise of one, from pictures that differ by chance alone; the
 /// rays.
 pub fn noise(desk: &mut Desk, pictures: u64) -> Result<u64, DeskError> {
-    let side = desk.choose(40, 32);
+    let side = desk.choose(40, 24);
     let scene = gallery::load("cornell")?.sized([side; 2]);
     let mut means = vec![Estimate::new(); (side * side / 2) as usize];
     let mut singles = vec![Estimate::new(); means.len()];

@@ -45,7 +45,7 @@ fn work(desk: &mut Desk) -> Result<Ledger, DeskError> {
     let (z_tree, rays_tree) = compare::tree_and_paths(desk)?;
     [z_room, z_tree].into_iter().for_each(|z| compared.add(z));
     let rays_split = compare::splitting(desk)?;
-    let side = desk.choose(80, 48);
+    let side = desk.choose(72, 40);
     let scene = gallery::load("cornell")?.sized([side; 2]);
     let rays_forty = figures::forty_paths(desk, &scene)?;
     let rays_noise = figures::noise(desk, 6)?;
@@ -69,7 +69,7 @@ const SEGMENTS: u32 = 24;
 /// The flat room whose answer is known: distance from it, variance of one path, and rays.
 fn room(desk: &mut Desk) -> Result<(f64, f64, u64), DeskError> {
     let (room, truth) = (flatland::load("room")?, exact::ROOM_FLOOR);
-    let (count, seed) = (desk.choose(120_000, 80_000), desk.options.seed);
+    let (count, seed) = (desk.choose(100_000, 50_000), desk.options.seed);
     let eye = Ray::<Flat>::new(Vec2::splat(0.5), Vec2::NEG_Y);
     // ANCHOR: room
     let max_depth = SEGMENTS;

@@ -152,7 +152,7 @@ pub fn variances(desk: &mut Desk) -> Result<Largest, DeskError> {
 
 /// All light goes on with less weight, or less of it goes on with all its weight.
 pub fn two_ways_to_lose(desk: &mut Desk) -> Largest {
-    let (seed, walks) = (desk.options.seed, desk.choose(100_000, 50_000));
+    let (seed, walks) = (desk.options.seed, desk.choose(80_000, 45_000));
     let mut compared = Largest::default();
     for (choice, name, called) in [
         (Choice::ByMean, "weight", "lose weight"),

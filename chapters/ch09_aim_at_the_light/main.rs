@@ -32,7 +32,7 @@ fn work(desk: &mut Desk) -> Result<Ledger, DeskError> {
     // The room is dim for a screen: shown with twice the light.
     desk.expose(1.0);
     // One lamp that shrinks over one surface: by chance until so many walks have found it.
-    let finds = desk.choose(5_000.0, 4_000.0);
+    let finds = desk.choose(4_000.0, 2_500.0);
     let (of_sweep, rays_sweep) = figures::sweep(desk, finds)?;
 
     rate::chart(desk)?;
@@ -46,7 +46,7 @@ fn work(desk: &mut Desk) -> Result<Ledger, DeskError> {
     let rays_twice = lamps::twice(desk)?;
 
     // Eight lamps: ask all of them, or one.
-    let count = desk.choose(120_000, 60_000);
+    let count = desk.choose(100_000, 40_000);
     let (of_lamps, rays_lamps) = lamps::many(desk, count)?;
 
     // What cannot be aimed at.

@@ -10,7 +10,7 @@ use rayon::prelude::*;
 
 /// Error against rays of two cuts and of roulette; the rays.
 pub fn plateau(desk: &mut Desk) -> Result<u64, DeskError> {
-    let (runs, doublings) = desk.choose((128, 8), (32, 6));
+    let (runs, doublings) = desk.choose((64, 8), (32, 6));
     let (game, seed) = (game(90), desk.options.seed);
     let measured: Vec<(f64, f64, f64)> = (0..doublings)
         .into_par_iter()
@@ -65,7 +65,7 @@ pub fn plateau(desk: &mut Desk) -> Result<u64, DeskError> {
 
 /// The variance as it looks after so many walks; the rays.
 pub fn running(desk: &mut Desk) -> Result<u64, DeskError> {
-    let (doublings, seed) = (desk.choose(18, 16), desk.options.seed);
+    let (doublings, seed) = (desk.choose(17, 15), desk.options.seed);
     let played: Vec<_> = [50, 65, 80, 95]
         .into_par_iter()
         .map(|percent| {

@@ -59,7 +59,7 @@ pub struct Played {
 
 /// Mean and variance of roulette.
 pub fn survivals(desk: &mut Desk) -> Played {
-    let (walks, seed) = (desk.choose(120_000, 80_000), desk.options.seed);
+    let (walks, seed) = (desk.choose(120_000, 60_000), desk.options.seed);
     let played: Vec<_> = PERCENT
         .into_par_iter()
         .map(|percent| {
@@ -166,7 +166,7 @@ pub fn needed(desk: &mut Desk) {
     let target = 0.01 * game.mean();
     let walks = (game.variance() / (target * target)).round();
     desk.value("needed", "survival 0.9: walks for an error of 1 %", walks);
-    let runs = desk.choose(300, 200);
+    let runs = desk.choose(250, 120);
     let seed = desk.options.seed;
     let squares: Vec<f64> = (0..runs)
         .into_par_iter()

@@ -94,7 +94,7 @@ fn dark_floor(desk: &mut Desk) -> Result<(), DeskError> {
     let world = gallery::from_text(Source { file: "dark", text })?;
     let eye = Ray::<Flat>::new(glam::Vec2::Y, glam::Vec2::NEG_Y);
     // ANCHOR_END: dark_floor
-    let walks = desk.choose(150_000, 50_000);
+    let walks = desk.choose(120_000, 40_000);
     let roulette = Roulette {
         survival: Survival::Throughput(0.05),
     };

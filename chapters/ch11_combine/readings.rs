@@ -79,7 +79,7 @@ pub fn furnace(desk: &mut Desk) -> Result<(u64, Largest), DeskError> {
 pub fn mistakes(desk: &mut Desk) -> Result<(), DeskError> {
     let (lamp, heuristic) = (Overhead::new(1.0), Heuristic::Balance);
     let world = lamp.world(2)?;
-    let walks = desk.choose(80_000, 40_000);
+    let walks = desk.choose(40_000, 10_000);
     let seven = 0.93;
     for (name, says, slip) in [
         ("twice", "both weights one", Slip::CountedTwice),

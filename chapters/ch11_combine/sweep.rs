@@ -49,7 +49,7 @@ pub struct Sweep {
 
 /// Runs all of it and records what it found.
 pub fn work(desk: &mut Desk) -> Result<Sweep, DeskError> {
-    let (walks, seed) = (desk.choose(30_000, 20_000), desk.options.seed);
+    let (walks, seed) = (desk.choose(24_000, 12_000), desk.options.seed);
     let sizes: Vec<Size> = HUNDREDTHS
         .into_par_iter()
         .map(|hundredths| size(hundredths, walks, seed))

@@ -48,7 +48,7 @@ fn segments(rho: f64, bounces: i32) -> f64 {
 /// The path tracer by chance, and as it is; how far means are from the truth, and the rays.
 pub fn work(desk: &mut Desk) -> Result<(Largest, u64), DeskError> {
     let (mut compared, mut rays) = (Largest::default(), 0);
-    let count = desk.choose(30_000, 20_000);
+    let count = desk.choose(24_000, 10_000);
     let bounces = Path::new(ENDLESS).roulette_from as i32;
     for percent in [60, 90] {
         let rho = f64::from(percent) / 100.0;

@@ -132,9 +132,9 @@ pub struct Saved {
 
 /// Prices of the path tracer without each of its ingredients, in three scenes.
 pub fn work(desk: &mut Desk) -> Result<Saved, DeskError> {
-    let side = desk.choose(24, 16);
+    let side = desk.choose(24, 12);
     // Large, so that the smallest lamp is no smaller in its plate than a pixel: that noise is nobody's.
-    let plates = gallery::load("veach")?.sized(desk.choose([96, 72], [64, 48]));
+    let plates = gallery::load("veach")?.sized(desk.choose([96, 72], [48, 36]));
     // Direct light alone: what plates throw at each other is rare and bright, and nobody here looks for it.
     let direct = plates.suggested.max_depth;
     let scenes = [

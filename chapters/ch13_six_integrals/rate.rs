@@ -13,7 +13,7 @@ const PIXEL: usize = 10;
 pub fn chart(desk: &mut Desk, profiles: &[Profile]) -> Result<(), DeskError> {
     let design = Design {
         replicates: 32,
-        doublings: desk.choose(5, 4),
+        doublings: desk.choose(5, 3),
         first: 4,
         seed: desk.options.seed,
     };

@@ -140,7 +140,7 @@ pub fn strip(desk: &mut Desk) -> Result<Drawn, DeskError> {
 
 fn paint(desk: &Desk, scene: &Scene, by: &impl Integrator) -> Result<Rendered, DeskError> {
     let options = Options {
-        spp: desk.spp(24, 4),
+        spp: desk.spp(16, 4),
         seed: desk.options.seed,
         sampler: Sampler::Sobol,
         ..Options::default()

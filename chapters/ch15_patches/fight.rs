@@ -59,7 +59,7 @@ pub fn work(desk: &mut Desk) -> Result<u64, DeskError> {
 
 /// An empty room, the box with its blocks, and the box with a tall block of rough metal.
 fn rooms(desk: &Desk) -> Result<[(&'static str, Scene); 3], DeskError> {
-    let side = desk.choose(24, 20);
+    let side = desk.choose(24, 16);
     let cornell = gallery::load("cornell")?.sized([side; 2]);
     let empty = cornell.changed(|said| said.objects.truncate(6))?;
     let gloss = cornell.changed(shown::with_metal)?;
@@ -68,7 +68,7 @@ fn rooms(desk: &Desk) -> Result<[(&'static str, Scene); 3], DeskError> {
 
 fn room(desk: &mut Desk, name: &str, scene: &Scene) -> Result<u64, DeskError> {
     let depth = 40;
-    let number = PatchSize::Number(desk.choose(500, 250));
+    let number = PatchSize::Number(desk.choose(500, 200));
     let mut rays = 0;
     let mut film = |by: &dyn Integrator, spp: u32, seed: u64| -> Result<Rendered, DeskError> {
         let options = Options {
@@ -84,7 +84,7 @@ fn room(desk: &mut Desk, name: &str, scene: &Scene) -> Result<u64, DeskError> {
         }
     };
     let path = Path::new(depth);
-    let spp = desk.choose(64, 48);
+    let spp = desk.choose(64, 40);
     let halves = [film(&path, spp, 1)?, film(&path, spp, 2)?];
     let truth = Reference::new(&halves[0].film, &halves[1].film, spp);
     let pixels = f64::from(scene.size[0] * scene.size[1]);
@@ -121,7 +121,7 @@ fn room(desk: &mut Desk, name: &str, scene: &Scene) -> Result<u64, DeskError> {
             patches: &patches,
             path,
         },
-        desk.choose(112, 96),
+        desk.choose(96, 64),
         3,
     )?;
     let fought = Fought {

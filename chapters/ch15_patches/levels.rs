@@ -52,7 +52,7 @@ pub fn work(desk: &mut Desk) -> Result<u64, DeskError> {
     let patches = Radiosity::new(&scene, SEGMENTS, PatchSize::Number(PATCHES), &())?;
     let number = patches.solution().effort.patches as f64;
     desk.value("few_patches", "patches", number);
-    let (count, seed) = (desk.choose(200_000, 150_000), desk.options.seed);
+    let (count, seed) = (desk.choose(150_000, 60_000), desk.options.seed);
     let by_paths = walks::solid(&scene, &ray, &path, 0.0, count, seed);
     let by_patches = walks::solid(&scene, &ray, &patches, 0.0, count, seed + 1);
     let [truth, read] = [&by_paths, &by_patches].map(|found| found.estimate);

@@ -5,6 +5,7 @@ use glam::DVec3;
 use halfdisk::radiosity::{
     Channels, FormFactors, Matrix, Patch, RadiosityError, System, point_to_polygon,
 };
+use rayon::prelude::*;
 
 /// Radiance that the middle of the floor reflects, and its mean over the floor. No closed form: ever finer
 /// patches settle here, and paths agree.
@@ -48,7 +49,8 @@ impl Room {
             scene: None,
             points: 2,
         };
-        let entries = (0..patches.len()).flat_map(|i| factors.row(i)).collect();
+        let rows = (0..patches.len()).into_par_iter();
+        let entries = rows.flat_map_iter(|i| factors.row(i)).collect();
         let system = System {
             emission: patches.iter().map(|patch| patch.emission).collect(),
             albedo: patches.iter().map(|patch| patch.albedo).collect(),

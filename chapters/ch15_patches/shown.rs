@@ -129,7 +129,7 @@ fn prices(desk: &mut Desk, scene: &Scene) -> Result<u64, DeskError> {
     let mut rays = 0;
     for (name, number) in [
         ("some", desk.choose(600, 250)),
-        ("twice", desk.choose(1000, 500)),
+        ("twice", desk.choose(900, 400)),
     ] {
         let bar = desk.bar("patches");
         let start = Moment::now();

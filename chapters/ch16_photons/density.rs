@@ -39,7 +39,7 @@ pub fn work(desk: &mut Desk) -> Result<(), DeskError> {
 fn variance(desk: &mut Desk) -> Result<(), DeskError> {
     let world = flat_world("lamp.toml", LAMP)?;
     let design = Design {
-        replicates: desk.choose(100, 64),
+        replicates: desk.choose(80, 64),
         doublings: desk.choose(7, 5),
         first: 128,
         seed: desk.options.seed,
@@ -102,7 +102,7 @@ fn variance(desk: &mut Desk) -> Result<(), DeskError> {
 
 fn u_curve(desk: &mut Desk) -> Result<(), DeskError> {
     let world = flat_world("lamp.toml", LAMP)?;
-    let (walks, runs) = (2000, desk.choose(200, 100));
+    let (walks, runs) = (2000, desk.choose(160, 60));
     let radii: Vec<f64> = (-12..=1).map(|k| libm::exp2(0.5 * f64::from(k))).collect();
     let mut squares = vec![Estimate::new(); radii.len()];
     for run in 0..runs {
@@ -186,7 +186,7 @@ fn plate(desk: &mut Desk) -> Result<(), DeskError> {
     let (walks, radius) = (20_000, 1.0);
     let mut reads = [Estimate::new(), Estimate::new(), Estimate::new()];
     let places = [[5.0, 5.0], [0.0, 5.0], [0.0, 0.0]];
-    for run in 0..desk.choose(16, 12) {
+    for run in 0..desk.choose(16, 8) {
         let mut photons = Vec::new();
         for walk in 0..walks {
             let stream = Stream::new(desk.options.seed, walk, 100 + run);

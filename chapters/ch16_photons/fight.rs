@@ -21,7 +21,7 @@ struct Course {
 }
 
 pub fn work(desk: &mut Desk) -> Result<u64, DeskError> {
-    let side = desk.choose(24, 20);
+    let side = desk.choose(24, 16);
     let caustic = scene("ball.toml", include_str!("ball.toml"))?.sized([side; 2]);
     let cornell = gallery::load("cornell")?.sized([side; 2]);
     let mut rays = 0;
@@ -46,7 +46,7 @@ fn made(name: &str, scene: &Scene) -> Result<Box<dyn Integrator>, DeskError> {
 
 fn one(desk: &mut Desk, scene_name: &str, scene: &Scene, truth: &str) -> Result<u64, DeskError> {
     let mut rays = 0;
-    let spp = desk.choose(256, 192);
+    let spp = desk.choose(192, 128);
     let by = made(truth, scene)?;
     let mut half = |seed: u64| {
         let options = Options {
@@ -235,7 +235,7 @@ fn chart(desk: &mut Desk, scene: &str, courses: &[Course]) -> Result<(), DeskErr
 /// The caustic by all three, in the same time.
 fn strip(desk: &mut Desk, scene: &Scene) -> Result<(), DeskError> {
     let scene = scene.clone().sized(desk.choose([120; 2], [40; 2]));
-    let seconds = desk.choose(0.3, 0.1);
+    let seconds = desk.choose(0.25, 0.05);
     for (name, look) in METHODS.into_iter().zip([
         "Look at the single bright specks: each is a walk that found the lamp through the glass by chance.",
         "Fine grain, and a sharp rim.",

@@ -34,7 +34,7 @@ fn work(desk: &mut Desk) -> Result<Ledger, DeskError> {
     spacing::chart(desk)?;
 
     // Where the plain form fails, and ours does not.
-    let n = desk.choose(400_000, 20_000);
+    let n = desk.choose(200_000, 20_000);
     let seed = desk.options.seed;
     for case in cases::all(n, seed)? {
         let whose = |whose: &str, value: f64| {
@@ -49,7 +49,7 @@ fn work(desk: &mut Desk) -> Result<Ledger, DeskError> {
     }
 
     // Rays that leave a surface, in small worlds and large ones.
-    let each = desk.choose(100_000, 4_000);
+    let each = desk.choose(50_000, 4_000);
     let rates = leaving::rates(each, seed);
     desk.figure("leaving.svg", CAPTION, chart(&rates).to_svg()?)?;
     let worst = |rule: usize| rates.iter().map(|r| r.failed[rule]).fold(0.0, f64::max);
@@ -62,7 +62,7 @@ fn work(desk: &mut Desk) -> Result<Ledger, DeskError> {
     let pictured = acne::pictures(desk)? + finale::work(desk)?;
 
     // What the care costs: rounds in several sittings, for what slows a machine lasts longer than a round.
-    let (sittings, rounds) = desk.choose((12, 80), (3, 2));
+    let (sittings, rounds) = desk.choose((12, 40), (3, 2));
     let pairs = pairs(4096);
     let mut ratios = vec![Estimate::new(); pairs.len()];
     for _ in 0..sittings {

@@ -31,13 +31,13 @@ pub struct Prices {
 /// Measures and records all prices.
 pub fn work(desk: &mut Desk) -> Result<Prices, DeskError> {
     // In smaller pictures the edge of the lamp, in few large pixels, would decide all.
-    let side = desk.choose(40, 32);
+    let side = desk.choose(40, 28);
     let scene = gallery::load("cornell")?.sized([side; 2]);
     // ANCHOR: measure
     let design = Design {
         replicates: 6,
         sizes: 3,
-        budget: Budget::Rays(desk.choose(120_000, 100_000)),
+        budget: Budget::Rays(desk.choose(100_000, 90_000)),
         reference: 16,
         threads: None,
         seed: desk.options.seed,
@@ -195,7 +195,7 @@ fn equal_time(
     measured: &Measured,
     list: &PriceList,
 ) -> Result<(), DeskError> {
-    let seconds = desk.choose(0.1, 0.004);
+    let seconds = desk.choose(0.08, 0.004);
     let (mut pictures, mut errors) = (Vec::new(), Vec::new());
     for (priced, runs) in list.methods.iter().zip(&measured.methods) {
         let (spp, seed) = (affordable(priced, seconds), !desk.options.seed);

@@ -12,7 +12,7 @@ use halfdisk::stats::{Estimate, Measurement};
 pub fn falls(desk: &mut Desk) -> Result<(), DeskError> {
     // ANCHOR: falls
     let lamp = named::find("half-disk-lamp").ok_or(DeskError::Missing("the lamp".to_owned()))?;
-    let (runs, seed) = (desk.choose(12, 10), desk.options.seed);
+    let (runs, seed) = (desk.choose(12, 6), desk.options.seed);
     let found = noise::falls(runs, lamp.truth, |block| {
         (lamp.run)(1000, seed << 32 | u64::from(block))
     });
@@ -56,7 +56,7 @@ pub fn forty(desk: &mut Desk) -> Result<u64, DeskError> {
     let mut means = vec![Estimate::new(); 32 * 32];
     let mut singles = means.clone();
     let mut rays = 0;
-    for number in 0..desk.choose(6, 4) {
+    for number in 0..desk.choose(6, 3) {
         let options = Options {
             spp: 40,
             seed: desk.options.seed << 16 | number,

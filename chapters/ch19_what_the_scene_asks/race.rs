@@ -164,7 +164,7 @@ fn root(square: &Estimate) -> [f64; 2] {
 /// Two pictures of many samples, whose noise is independent, and the rays they took.
 fn reference(desk: &Desk, scene: &Scene) -> Result<(Reference, u64), DeskError> {
     let mut rays = 0;
-    let spp = desk.choose(256, 128);
+    let spp = desk.choose(192, 96);
     let mut half = |seed| {
         let options = Options {
             spp,

@@ -10,7 +10,7 @@ use clap::Args;
 #[derive(Clone, Copy, Debug, Args)]
 pub(super) struct LightPaths {
     /// Paths from the lights in each sample of all pixels, where a scene's mirrors or glass focus light onto
-    /// what the eye sees; with 0 all light is looked for from the eye [default: one for every four pixels; with
+    /// what the eye sees; with 0 all light is looked for from the eye [default: one for every eight pixels; with
     /// --target-error as many as the pilot finds worth their rays]
     #[arg(long, value_name = "N", allow_negative_numbers = true,
         value_parser = whole(0..=Path::MOST_LIGHT_PATHS))]

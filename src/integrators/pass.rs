@@ -8,7 +8,7 @@ use rayon::prelude::*;
 use std::ops::Range;
 
 /// Paths that one thread traces before another asks for more.
-const CHUNK: u32 = 1 << 12;
+const CHUNK: u32 = 1 << 8;
 
 /// Paths whose light is held before it is added up.
 const BATCH: u32 = 1 << 19;

@@ -15,6 +15,7 @@ pub mod half_disk;
 pub mod hemisphere;
 pub mod lanes;
 pub mod mis;
+mod sobol;
 pub mod spherical_rectangle;
 pub mod spherical_triangle;
 pub mod stream;

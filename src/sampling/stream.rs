@@ -4,6 +4,7 @@
 //! pixel can be replayed alone, any thread may render any tile, and an effect that is absent
 //! shifts nobody else's numbers: each [`Purpose`] owns its dimensions at each place of a path.
 
+use super::sobol;
 use rand::RngExt;
 use rand_pcg::Pcg32;
 use std::ops::Range;
@@ -140,7 +141,7 @@ impl Stream {
             Sampler::Independent => Kind::Independent(rest),
             Sampler::Sobol if place > LAST_EVEN_PLACE => Kind::Independent(rest),
             Sampler::Sobol => Kind::Even {
-                point: sobol_burley::sample_4d(self.index, 0, state as u32),
+                point: sobol::point(self.index, state as u32),
                 drawn: 0,
                 rest,
             },

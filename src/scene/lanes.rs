@@ -16,8 +16,19 @@ use crate::materials::Bsdf;
 pub struct SceneInLanes<'s> {
     scene: &'s Scene,
     shapes: Option<FewShapes>,
-    light: Option<(QuadInLanes, u32)>,
+    light: Option<OnlyLight>,
     black_beyond: bool,
+}
+
+/// The only light of a scene, a quad of one colour.
+#[derive(Clone, Copy, Debug)]
+pub struct OnlyLight {
+    /// The quad.
+    pub quad: QuadInLanes,
+    /// The number of its shape.
+    pub shape: u32,
+    /// Its index in [`Scene::lights`].
+    pub index: u32,
 }
 
 /// What a single ray hits.
@@ -42,17 +53,16 @@ impl PlainHit {
 }
 
 impl<'s> SceneInLanes<'s> {
-    /// `None` where paths had better be traced one by one: where something moves, is an instance of a mesh or lies
-    /// within rounding of a light, where nothing is diffuse and of one colour, and where nothing shines.
+    /// `None` where paths had better be traced one by one: where something moves or is an instance of a mesh, where
+    /// nothing is diffuse and of one colour, and where nothing shines.
     pub fn new(scene: &'s Scene) -> Option<Self> {
         let transforms = scene
             .transformed
             .as_ref()
             .is_some_and(|shapes| !shapes.is_empty());
-        let still = !transforms && scene.contacts.is_none();
         let is_diffuse = |object: &Object| diffuse_albedo(object).is_some();
         let lit = !scene.is_dark() && scene.objects.iter().any(is_diffuse);
-        (still && lit).then_some(())?;
+        (!transforms && lit).then_some(())?;
         let note =
             |shape: u32| note(&scene.objects[scene.object_of_shape[shape as usize] as usize]);
         Some(SceneInLanes {
@@ -73,8 +83,8 @@ impl<'s> SceneInLanes<'s> {
         self.shapes.as_ref()
     }
 
-    /// Its only light, where that is a quad of one colour, and the number of the quad.
-    pub fn light(&self) -> Option<&(QuadInLanes, u32)> {
+    /// Its only light, where that is a quad of one colour.
+    pub fn light(&self) -> Option<&OnlyLight> {
         self.light.as_ref()
     }
 
@@ -110,27 +120,60 @@ impl<'s> SceneInLanes<'s> {
         self.scene.bvh.occluded_by_triangles(ray)
     }
 
+    /// True where a shape may lie within rounding of others, one of which shines.
+    pub fn has_contacts(&self) -> bool {
+        self.scene.contacts.is_some()
+    }
+
+    /// What a ray meets where `hit` is what it seems to meet first: another shape within rounding may shine.
+    pub fn met(&self, ray: &Ray, hit: PlainHit) -> PlainHit {
+        let Some(contacts) = &self.scene.contacts else {
+            return hit;
+        };
+        let met = contacts.met(ray, self.hit(&hit), &self.scene.objects);
+        PlainHit {
+            intersection: met.intersection,
+            surface: met.surface,
+            shape: met.shape,
+        }
+    }
+
+    /// True where a shadow ray to a part of a light, which nothing clearly before it stops, also meets the light before
+    /// all that is within rounding of it.
+    pub fn light_is_met(&self, (light, part): (u32, u32), shadow_ray: &Ray) -> bool {
+        self.scene.contacts.as_ref().is_none_or(|contacts| {
+            contacts.is_met(light as usize, part, shadow_ray, &self.scene.objects)
+        })
+    }
+
     /// All that there is to know of a hit.
     pub fn interaction(&self, ray: &Ray, hit: &PlainHit) -> Interaction<'s> {
-        let hit = Hit {
+        Interaction::new(&self.scene.objects, ray, &self.hit(hit))
+    }
+
+    fn hit(&self, hit: &PlainHit) -> Hit {
+        Hit {
             intersection: hit.intersection,
             surface: hit.surface,
             object: self.scene.object_of_shape[hit.shape as usize],
             shape: hit.shape,
-        };
-        Interaction::new(&self.scene.objects, ray, &hit)
+        }
     }
 }
 
-fn only_quad(scene: &Scene) -> Option<(QuadInLanes, u32)> {
+fn only_quad(scene: &Scene) -> Option<OnlyLight> {
     let only = scene.light_choice.only()?;
     let Light::Quad(light) = scene.lights.get(only)? else {
         return None;
     };
-    let shines = |object: &u32| scene.objects[*object as usize].light == Some(only as u32);
+    let index = u32::try_from(only).ok()?;
+    let shines = |object: &u32| scene.objects[*object as usize].light == Some(index);
     let shape = scene.object_of_shape.iter().position(shines)?;
-    let quad = (QuadInLanes::new(light), u32::try_from(shape).ok()?);
-    scene.textured_lights.is_empty().then_some(quad)
+    scene.textured_lights.is_empty().then_some(OnlyLight {
+        quad: QuadInLanes::new(light),
+        shape: u32::try_from(shape).ok()?,
+        index,
+    })
 }
 
 fn note(object: &Object) -> Note {

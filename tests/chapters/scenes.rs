@@ -12,7 +12,7 @@ fn each_picture_of_the_reference_pages_is_of_a_file_and_has_little_noise() {
         let stem = file.strip_suffix(".png").unwrap();
         let error = number(&data, &format!("error_{stem}"), "value");
         // Pictures are a sixth as wide here, so that more of them is edges: in full size 6 % are not passed.
-        assert!(error > 0.0 && error <= 6.5, "{file}: {error} %");
+        assert!(error > 0.0 && error <= 7.5, "{file}: {error} %");
         let picture = folder
             .path()
             .join("scenes")

@@ -244,6 +244,14 @@ impl<'w, 's, S: Simd> Walk<'w, 's, S> {
                 paths.set_hit(lane, &hit, scene.note(hit.shape));
             }
         }
+        if scene.has_contacts() {
+            for lane in Each(met) {
+                let hit = scene.met(&paths.ray.lane(lane), paths.hit(lane));
+                if hit.shape != paths.here.shape.0[lane] {
+                    paths.set_hit(lane, &hit, scene.note(hit.shape));
+                }
+            }
+        }
         met
     }
 

@@ -1,7 +1,7 @@
 //! Sixteen paths under way, side by side in memory.
 
 use crate::color::Rgb;
-use crate::geometry::lanes::{NO_SHAPE, Note};
+use crate::geometry::lanes::{NO_SHAPE, Note, Rays};
 use crate::geometry::{Intersection, Ray, Surface};
 use crate::materials::Event;
 use crate::numeric::lanes::{LANES, Row, Row3, Vector, WordRow, floats, mask, words};
@@ -50,6 +50,16 @@ pub(super) struct Paths {
 pub(super) struct RayRows {
     pub(super) origin: Row3,
     pub(super) direction: Row3,
+}
+
+impl<S: Simd> From<&Rays<S>> for RayRows {
+    #[inline(always)]
+    fn from(rays: &Rays<S>) -> Self {
+        RayRows {
+            origin: rays.origin.into(),
+            direction: rays.direction.into(),
+        }
+    }
 }
 
 impl RayRows {

@@ -6,6 +6,7 @@ use crate::integrators::{Integrator, Passes};
 use crate::numeric::lanes::levels;
 use crate::render::{Options, Rendered, render};
 use crate::scene::gallery;
+use crate::scene::read::Source;
 
 /// The path tracer by some of the processor's instructions; one path at a time without any.
 struct By(Path, Option<Level>);
@@ -54,6 +55,49 @@ fn every_scene_is_the_same_picture_in_lanes_by_all_instructions() {
         }
     }
     assert!(in_lanes > 8, "scenes in lanes: {in_lanes} of two samplers");
+}
+
+#[test]
+#[cfg_attr(debug_assertions, ignore = "only optimised programs have lanes")]
+fn lights_that_lie_in_a_wall_are_met_as_by_one_path() {
+    let room = |x: f32, lamps: &str| {
+        let wall = "material = 'white'\nquad =";
+        let text = format!(
+            "name = 'contact'\ncamera = {{ from = [{x}, 1, 2.9], to = [{x}, 1.2, 0], fov = 70 }}\nfilm.size = [18, 14]\n\
+             materials.white.lambert.albedo = 0.7\n\
+             [[objects]]\n{wall} {{ corner = [{x}, 2, -3], u = [4, 0.03, 0], v = [0.1, 0, 6] }}\n\
+             [[objects]]\n{wall} {{ corner = [{x}, 0, -3], u = [0, 0, 6], v = [4, 0, 0] }}\n{lamps}"
+        );
+        let source = Source {
+            file: "contact.toml",
+            text: &text,
+        };
+        gallery::from_text(source, None, |_| {}).expect("a scene")
+    };
+    // A tilted ceiling, and lamps that cover parts of it.
+    let lamp = |x: f32, emits: u32| {
+        format!(
+            "[[objects]]\nemits = {emits}\nquad = {{ corner = [{x}, 2, -3], u = [4, 0.03, 0], v = [0.05, 0, 3] }}\n"
+        )
+    };
+    let path = Path::new(5);
+    let options = Options {
+        spp: 32,
+        sampler: Sampler::Sobol,
+        ..Options::default()
+    };
+    for x in [0.0, 0.7, 1234.5] {
+        for lamps in [lamp(x, 3), lamp(x, 3) + &lamp(x, 5)] {
+            let scene = room(x, &lamps);
+            let lanes = PathInLanes::new(&path, &scene).expect("lanes");
+            assert!(lanes.scene.has_contacts());
+            let plain = render(&scene, &By(path, None), &options, &());
+            for level in levels() {
+                let lanes = render(&scene, &By(path, Some(level)), &options, &());
+                assert_same(&lanes, &plain, &format!("{x} {level:?}"));
+            }
+        }
+    }
 }
 
 #[test]

@@ -1,7 +1,7 @@
 //! Vertices on diffuse surfaces of one colour, under a light that is one quad, as vectors.
 
 use super::Walk;
-use super::paths::Paths;
+use super::paths::{Paths, RayRows};
 use crate::geometry::lanes::{NO_SHAPE, Rays};
 use crate::geometry::{Ray, Surface};
 use crate::integrators::path::LEAST_SURVIVAL;
@@ -9,10 +9,11 @@ use crate::lights::Incident;
 use crate::lights::lanes::{LightSamples, Points};
 use crate::materials::Event;
 use crate::numeric::lanes::{
-    Each, Floats, Mask, Row, Row3, Vector, bits, floats, mask, offset_origin, sin_cos, words,
+    Each, Floats, LANES, Mask, Row, Row3, Vector, bits, floats, mask, offset_origin, sin_cos, words,
 };
 use crate::sampling::lanes::Places;
 use crate::sampling::stream::Purpose;
+use crate::scene::lanes::OnlyLight;
 use crate::scene::{RayCounts, Tracer};
 use fearless_simd::prelude::*;
 use std::f32::consts::{FRAC_1_PI, TAU};
@@ -100,11 +101,14 @@ impl<'s, S: Simd> Walk<'_, 's, S> {
     fn aim(&mut self, tracer: &mut Tracer<'s>, at: &Vertices<S>) {
         let (s, scene) = (self.s, &self.by.scene);
         let zero = floats(s, 0.0);
+        // The light that is aimed at, and the part of it.
+        let mut aimed = [(0, 0); LANES];
         let (mut sample, plain, target) = match scene.light() {
-            Some((light, shape)) => {
+            Some(OnlyLight { quad, shape, index }) => {
+                aimed = [(*index, 0); LANES];
                 let [u, v, ..] = self.streams.four(s, &at.numbers, Purpose::LightPoint);
-                let near = light.is_near(s, &at.from) & at.lanes;
-                (light.sample_area(s, &at.from, [u, v]), bits(near), *shape)
+                let near = quad.is_near(s, &at.from) & at.lanes;
+                (quad.sample_area(s, &at.from, [u, v]), bits(near), *shape)
             }
             None => (
                 LightSamples::none(s, at.from.shape),
@@ -113,7 +117,7 @@ impl<'s, S: Simd> Walk<'_, 's, S> {
             ),
         };
         if plain != 0 {
-            self.sample_plain(tracer, plain, &mut sample, at);
+            self.sample_plain(tracer, plain, &mut sample, &mut aimed, at);
         }
 
         let cos_i = sample.wi.dot(at.n);
@@ -125,7 +129,15 @@ impl<'s, S: Simd> Walk<'_, 's, S> {
             shadow: bits(asks).count_ones().into(),
             ..RayCounts::default()
         });
-        let visible = self.visible(&sample.shadow_rays, target, bits(asks));
+        let mut visible = self.visible(&sample.shadow_rays, target, bits(asks));
+        if scene.has_contacts() {
+            let rays = RayRows::from(&sample.shadow_rays);
+            for lane in Each(visible) {
+                if !scene.light_is_met(aimed[lane], &rays.lane(lane)) {
+                    visible &= !(1 << lane);
+                }
+            }
+        }
 
         // `Heuristic::Power`.
         let ratio = cos * FRAC_1_PI / sample.pdf;
@@ -151,13 +163,11 @@ impl<'s, S: Simd> Walk<'_, 's, S> {
         if doubt | at_triangles == 0 {
             return visible;
         }
-        let (origin, direction) = (Row3::from(rays.origin), Row3::from(rays.direction));
-        let t_max = Row::from(rays.t_max);
+        let (ways, t_max) = (RayRows::from(rays), Row::from(rays.t_max));
         for lane in Each(doubt | at_triangles) {
-            let ray = Ray::new(origin.lane(lane).into(), direction.lane(lane).into());
             let ray = Ray {
                 t_max: t_max.0[lane],
-                ..ray
+                ..ways.lane(lane)
             };
             let blocked = match doubt >> lane & 1 == 1 {
                 true => scene.occluded(&ray),
@@ -178,6 +188,7 @@ impl<'s, S: Simd> Walk<'_, 's, S> {
         tracer: &Tracer<'s>,
         lanes: u32,
         sample: &mut LightSamples<S>,
+        aimed: &mut [(u32, u32); LANES],
         at: &Vertices<S>,
     ) {
         let (s, n) = (self.s, Row3::from(at.from.n));
@@ -195,9 +206,10 @@ impl<'s, S: Simd> Walk<'_, 's, S> {
             let vertex = u64::from(self.paths.depth.0[lane]);
             let mut numbers = self.streams.lane(lane).at(vertex, Purpose::LightPoint);
             let (u, pick) = (numbers.two(), numbers.fine());
-            let Some((_, plain)) = tracer.chosen_light_sample(&from, pick, u) else {
+            let Some((light, plain)) = tracer.chosen_light_sample(&from, pick, u) else {
                 continue;
             };
+            aimed[lane] = (light as u32, plain.part);
             let own = match plain.incident {
                 Incident::Radiance { li, pdf: density } => {
                     pdf.0[lane] = density;
