@@ -74,10 +74,10 @@ fn lights_that_lie_in_a_wall_are_met_as_by_one_path() {
         };
         gallery::from_text(source, None, |_| {}).expect("a scene")
     };
-    // A tilted ceiling, and lamps that cover parts of it.
-    let lamp = |x: f32, emits: u32| {
+    // A tilted ceiling, and lamps that cover parts of it, and of each other.
+    let lamp = |x: f32, emits: u32, v: &str| {
         format!(
-            "[[objects]]\nemits = {emits}\nquad = {{ corner = [{x}, 2, -3], u = [4, 0.03, 0], v = [0.05, 0, 3] }}\n"
+            "[[objects]]\nemits = {emits}\nquad = {{ corner = [{x}, 2, -3], u = [4, 0.03, 0], v = {v} }}\n"
         )
     };
     let path = Path::new(5);
@@ -87,7 +87,8 @@ fn lights_that_lie_in_a_wall_are_met_as_by_one_path() {
         ..Options::default()
     };
     for x in [0.0, 0.7, 1234.5] {
-        for lamps in [lamp(x, 3), lamp(x, 3) + &lamp(x, 5)] {
+        let one = lamp(x, 3, "[0.05, 0, 3]");
+        for lamps in [one.clone(), one + &lamp(x, 5, "[0.07, 0, 4.2]")] {
             let scene = room(x, &lamps);
             let lanes = PathInLanes::new(&path, &scene).expect("lanes");
             assert!(lanes.scene.has_contacts());
