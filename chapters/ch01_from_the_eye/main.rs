@@ -11,7 +11,6 @@ mod two_ways;
 use aperture::{count_through_disc, count_through_slit, disc_chance, slit_chance};
 use halfdisk::lab::chapter::{Chapter, Desk, DeskError, Number};
 use halfdisk::lab::ledger::Ledger;
-use halfdisk::render::compare;
 use halfdisk::scene::gallery;
 use halfdisk::stats::Estimate;
 use halfdisk::stats::z_test::Largest;
@@ -122,15 +121,5 @@ fn agreement(desk: &mut Desk, light: &Traced, eye: &Traced) {
             error: Some(error),
             ..mean
         },
-    );
-    let Some(z) = compare::z_scores(&light.film.picture(), &eye.film.picture()) else {
-        return;
-    };
-    let says = "mean of z² over pixels and channels: 1 where they agree";
-    desk.estimate("agreement", says, &z.squares, Some(1.0));
-    desk.value(
-        "largest_z",
-        "largest |z| of any pixel and channel",
-        z.largest,
     );
 }

@@ -38,7 +38,7 @@ pub fn chart(desk: &mut Desk, of_one: f64) -> Result<(), DeskError> {
     };
     let run = converge(&estimator, &design);
     let chart = variance_chart("Paths in the flat room", &[(run, Some(of_one))]);
-    let caption = "The mean of N paths follows σ²/N, with the variance σ² that a million single paths of the \
+    let caption = "The mean of N paths follows σ²/N, with the variance σ² that many single paths of the \
                    room showed. Nothing in the law knows how long the paths are.";
     desk.figure("rate.svg", caption, chart.to_svg()?)
 }

@@ -2,6 +2,8 @@
 
 use super::shown;
 use super::stays::{Off, squared_bias};
+use halfdisk::color::Rgb;
+use halfdisk::geometry::Ray;
 use halfdisk::integrators::{Integrator, Path, Radiosity};
 use halfdisk::lab::chapter::{Desk, DeskError, Number};
 use halfdisk::lab::drawing::{Axis, Curve, CurveChart, Style};
@@ -9,7 +11,8 @@ use halfdisk::lab::experiment::cost::Reference;
 use halfdisk::radiosity::PatchSize;
 use halfdisk::render::accuracy::Scale;
 use halfdisk::render::{Options, Rendered, render};
-use halfdisk::scene::{Scene, gallery};
+use halfdisk::sampling::stream::Stream;
+use halfdisk::scene::{Scene, Tracer, gallery};
 use halfdisk::stats::{Estimate, Measurement, jackknife};
 use halfdisk::time::Moment;
 
@@ -36,6 +39,15 @@ fn mean(runs: &[Run]) -> Run {
         before: of(|r| r.before),
         sample: of(|r| r.sample),
         variance: of(|r| r.variance),
+    }
+}
+
+/// The path tracer, one path at a time as patches are read: what vector instructions gain is no merit of the method.
+struct OneByOne(Path);
+
+impl Integrator for OneByOne {
+    fn li(&self, tracer: &mut Tracer, ray: &Ray, stream: &Stream) -> Rgb {
+        self.0.li(tracer, ray, stream)
     }
 }
 
@@ -105,11 +117,11 @@ fn room(desk: &mut Desk, name: &str, scene: &Scene) -> Result<u64, DeskError> {
         let before = start.elapsed().unwrap_or_default().as_secs_f64();
         // In turns, each first once in two.
         if replicate % 2 == 0 {
-            of_path.push(measure(&path, 0.0, 10 + replicate)?);
+            of_path.push(measure(&OneByOne(path), 0.0, 10 + replicate)?);
         }
         of_patches.push(measure(&patches, before, 20 + replicate)?);
         if replicate % 2 == 1 {
-            of_path.push(measure(&path, 0.0, 10 + replicate)?);
+            of_path.push(measure(&OneByOne(path), 0.0, 10 + replicate)?);
         }
         solved = Some(patches);
     }

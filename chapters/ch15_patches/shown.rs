@@ -124,7 +124,7 @@ pub fn work(desk: &mut Desk) -> Result<u64, DeskError> {
     Ok(rays + drawn.rays.total())
 }
 
-/// What a number of patches costs, and twice as many; the shadow rays that took.
+/// What a number of patches costs, and what more of them do; the shadow rays that took.
 fn prices(desk: &mut Desk, scene: &Scene) -> Result<u64, DeskError> {
     let mut rays = 0;
     for (name, number) in [

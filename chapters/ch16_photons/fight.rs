@@ -22,6 +22,11 @@ struct Course {
 
 pub fn work(desk: &mut Desk) -> Result<u64, DeskError> {
     let side = desk.choose(24, 16);
+    desk.value(
+        "side",
+        "pixels along each side of the pictures",
+        f64::from(side),
+    );
     let caustic = scene("ball.toml", include_str!("ball.toml"))?.sized([side; 2]);
     let cornell = gallery::load("cornell")?.sized([side; 2]);
     let mut rays = 0;
@@ -236,6 +241,11 @@ fn chart(desk: &mut Desk, scene: &str, courses: &[Course]) -> Result<(), DeskErr
 fn strip(desk: &mut Desk, scene: &Scene) -> Result<(), DeskError> {
     let scene = scene.clone().sized(desk.choose([120; 2], [40; 2]));
     let seconds = desk.choose(0.25, 0.05);
+    desk.value(
+        "time_of_strip",
+        "seconds of each of the three pictures",
+        seconds,
+    );
     for (name, look) in METHODS.into_iter().zip([
         "Look at the single bright specks: each is a walk that found the lamp through the glass by chance.",
         "Fine grain, and a sharp rim.",

@@ -175,8 +175,15 @@ fn numbers(desk: &mut Desk, list: &PriceList, method: &Priced) {
     // For a picture of 256 x 256 pixels.
     let scale = 256.0 * 256.0 / f64::from(list.size[0] * list.size[1]);
     for (target, reach) in TARGETS.iter().zip(&method.times) {
-        let (Reach::Priced { seconds, .. } | Reach::Between { seconds }) = *reach else {
-            continue;
+        let seconds = match (*reach, method.sizes.last()) {
+            (Reach::Priced { seconds, .. } | Reach::Between { seconds }, _) => seconds,
+            // Its slope is not known well enough to tell; that of an unbiased method is the law's.
+            (Reach::MoreThan { seconds }, Some(last))
+                if method.verdict == Verdict::Insufficient =>
+            {
+                seconds * (last.error / target).powi(2)
+            }
+            _ => continue,
         };
         let percent = 100.0 * target;
         let says = format!("{name}: seconds to {percent} % at 256 x 256");
