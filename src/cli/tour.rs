@@ -44,12 +44,12 @@ const CHAPTERS: &[Stage] = &[
     stage("ch12", "ch12-the-path-tracer", 8.0),
     stage("ch13", "ch13-six-integrals", 3.5),
     stage("ch14", "ch14-alphabet", 4.0),
-    stage("ch15", "ch15-patches", 4.5),
+    stage("ch15", "ch15-patches", 5.5),
     stage("ch16", "ch16-photons", 6.0),
     stage("ch17", "ch17-hard-cases", 1.5),
     stage("ch18", "ch18-cost", 4.0),
-    stage("ch19", "ch19-what-the-scene-asks", 6.5),
-    stage("scenes", "book-pictures", 16.5),
+    stage("ch19", "ch19-what-the-scene-asks", 8.0),
+    stage("scenes", "book-pictures", 14.0),
 ];
 
 /// The chapters by their short names, with their programs.
