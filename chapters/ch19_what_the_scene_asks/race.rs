@@ -143,8 +143,8 @@ fn chart(desk: &mut Desk, entries: &[Vec<Entry>], sizes: usize) -> Result<(), De
                    fall with the slope -1/2, from different heights. Bars: one standard error.";
     desk.figure("chart.svg", caption, by_rays.to_svg_at(HALF)?)?;
     let by_time = chart("seconds", curves(|entry| entry.seconds.mean()));
-    let caption = "The same against the seconds of one such picture, on the machine that ran this. Path is further ahead, for \
-                   it walks sixteen paths at a time. Bars: one standard error.";
+    let caption = "The same against the seconds of one such picture, on the machine that ran this. The order is \
+                   the same: rays tell most of the time. Bars: one standard error.";
     desk.figure("seconds.svg", caption, by_time.to_svg_at(HALF)?)
 }
 
